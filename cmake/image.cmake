@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+#
+# csgcast-image: the module that writes image files. It is loaded at run time, since OpenImageIO
+# brings some 260 shared libraries that a preview does not need.
+
+# pkg-config first: Debian's CMake package of OpenImageIO wants openimageio-tools installed as well.
+set(image_library "")
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+    pkg_check_modules(openimageio QUIET IMPORTED_TARGET OpenImageIO)
+    if(openimageio_FOUND)
+        set(image_library PkgConfig::openimageio)
+    endif()
+endif()
+if(NOT image_library)
+    find_package(OpenImageIO QUIET)
+    if(OpenImageIO_FOUND)
+        set(image_library OpenImageIO::OpenImageIO)
+    endif()
+endif()
+if(NOT image_library)
+    message(WARNING "OpenImageIO is not installed: csgcast will not be able to write image files "
+        "(Debian: libopenimageio-dev)")
+    return()
+endif()
+if(NOT EXISTS ${PROJECT_SOURCE_DIR}/src/image/oiio.cpp)
+    return()
+endif()
+
+add_library(csgcast-image MODULE ${PROJECT_SOURCE_DIR}/src/image/oiio.cpp)
+target_include_directories(csgcast-image PRIVATE ${PROJECT_SOURCE_DIR}/src
+    ${PROJECT_SOURCE_DIR}/src/include)
+target_link_libraries(csgcast-image PRIVATE ${image_library})
+csgcast_strict(csgcast-image)
+set_target_properties(csgcast-image PROPERTIES PREFIX "")

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+#
+# csgcast: the library that is installed. csgcast_internal: the same objects with every symbol in
+# reach, for the unit tests.
+
+file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.c
+    ${PROJECT_SOURCE_DIR}/src/*/*/*.c)
+list(FILTER library_sources EXCLUDE REGEX "/src/cli/")
+
+# shaders: some constants stand in .glsl files that C includes as well.
+set(internal_includes ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include
+    ${PROJECT_SOURCE_DIR}/shaders)
+
+add_library(csgcast_objects OBJECT ${library_sources} ${shader_source})
+target_include_directories(csgcast_objects PRIVATE ${internal_includes})
+set_target_properties(csgcast_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
+csgcast_strict(csgcast_objects)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/image/image.c PROPERTIES
+    COMPILE_DEFINITIONS CSGCAST_MODULE_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/csgcast")
+
+add_library(csgcast_internal STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:csgcast_objects>)
+target_include_directories(csgcast_internal PUBLIC ${internal_includes})
+target_link_libraries(csgcast_internal PUBLIC m dl pthread)
+
+add_library(csgcast $<TARGET_OBJECTS:csgcast_objects>)
+add_library(csgcast::csgcast ALIAS csgcast)
+target_include_directories(csgcast PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(csgcast PRIVATE m dl pthread $<BUILD_INTERFACE:csgcast_compiler>)
+if(NOT CSGCAST_SANITIZE) # the sanitizers' runtime comes with the executable
+    target_link_options(csgcast PRIVATE -Wl,--no-undefined)
+endif()
+set_target_properties(csgcast PROPERTIES LINKER_LANGUAGE C
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* What C and GLSL must agree on: plain #defines, included by both. */
+
+/* Keys beyond any crossing in view, far inside the range of float. */
+#define CSG_KEY_MAX 1e30f
+
+/* The data texture is this wide; texel i is at (i & mask, i >> shift). */
+#define CSG_DATA_SHIFT 12
+#define CSG_DATA_WIDTH 4096
+#define CSG_DATA_MASK 4095
+
+/*
+ * A record of the program in the data texture: one header texel
+ *     (entry planes, exit planes, flags, attribute block / 4)
+ * followed by a texel per plane, entries first, and CSG_QUADRIC_TEXELS where it has a quadric.
+ */
+#define CSG_RECORD_QUADRIC 1  /* has a quadric */
+#define CSG_RECORD_GAP 2      /* not convex: the quadric may take a piece out of the middle */
+#define CSG_RECORD_NEGATED 4  /* the complement of the leaf */
+#define CSG_RECORD_AND 8      /* combine by intersection, else by union */
+#define CSG_RECORD_START 16   /* starts a new operand: do not combine */
+#define CSG_RECORD_PUSH 32    /* ... and keep the operand before it on the stack */
+#define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
+
+/* Operands of different nesting that wait at once. The deepest operand of a node comes first, so
+ * this holds trees of 2^32 leaves. */
+#define CSG_STACK_SIZE 32
+
+/* An attribute block: colour, (reference pixel, leaf, normal reference pixel...), plane normals,
+ * the quadric's normal terms. Aligned to 4 texels. */
+#define CSG_ATTRIBUTE_COLOR 0
+#define CSG_ATTRIBUTE_ORIGIN 1  /* object's reference pixel x y, leaf index, flags as above */
+#define CSG_ATTRIBUTE_NORMALS 2 /* one texel a plane, then n0 nu nv nk */
+#define CSG_NORMAL_TERMS 4
+
+#define CSG_QUADRIC_TEXELS 5
+
+/* What a quadric's crossings bound, and the signs in its conic; the sum is the fourth component
+ * of its first texel. */
+#define CSG_QUADRIC_BETWEEN 0  /* the solid lies between the two crossings */
+#define CSG_QUADRIC_BEFORE 1   /* ... before the first one */
+#define CSG_QUADRIC_AFTER 2    /* ... after the second one */
+#define CSG_QUADRIC_OUTSIDE 3  /* ... before the first and after the second */
+#define CSG_QUADRIC_X_PLUS 4   /* the conic has + x'^2 */
+#define CSG_QUADRIC_Y_PLUS 8   /* ... + y'^2 */
+#define CSG_QUADRIC_Y_MINUS 16 /* ... - y'^2 */
+#define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
+#define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
+
+/* Geometry buffer: bits of the key, and 2 * record + 1, + 1 where the eye is inside the solid. */

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Depth keys k, as src/pack/screen.h defines them. */
+
+uniform vec4 csg_screen_depth; /* scale, offset, -, 0: affine, 1: of 1/t, 2: of all t */
+uniform vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
+
+/* Depth buffer value of a key: 0 near, 1 far. */
+float csg_depth(float k)
+{
+    if (csg_screen_depth.w == 0.0)
+        return clamp(csg_screen_depth.x * k + csg_screen_depth.y, 0.0, 1.0);
+    if (csg_screen_depth.w == 1.0)
+        return 1.0 / (1.0 + (csg_screen_key.x - k) * csg_screen_depth.x);
+    float s = k * csg_screen_depth.x;
+    return 0.5 + 0.5 * s / (1.0 + abs(s));
+}
+
+/* Distance along the view axis. */
+float csg_distance(float k)
+{
+    return csg_screen_key.w != 0.0 ? k + csg_screen_key.x
+                                   : csg_screen_key.y / (csg_screen_key.x - k);
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Any tree, from the data texture: records [begin, end) are run by a machine with one accumulator
+ * and a stack. dual asks for the complement of the tree: where does the solid end?
+ */
+
+/* The spans of the leaf whose record is at p; moves p past it. */
+void csg_read_leaf(inout int p, vec4 head, vec2 d, out vec2 span, out vec2 gap)
+{
+    int flags = int(head.z), entries = int(head.x), exits = int(head.y);
+    span = vec2(-CSG_KEY_MAX, CSG_KEY_MAX);
+    gap = vec2(CSG_KEY_MAX);
+    csg_clip_planes(p + 1, entries, exits, d, span);
+    p += 1 + entries + exits;
+#ifdef CSG_HAS_QUADRIC
+    for (int quadric = flags & CSG_RECORD_QUADRIC; quadric != 0; quadric = 0) {
+#ifdef CSG_HAS_GAP
+        if ((flags & CSG_RECORD_GAP) != 0)
+            csg_gap_quadric(p, d, span, gap);
+        else
+#endif
+            csg_clip_quadric(p, d, span);
+        p += CSG_QUADRIC_TEXELS;
+    }
+#endif
+}
+
+/* The soonest k' >= k at which the tree can be true. */
+float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
+{
+    float stack[CSG_STACK_SIZE];
+    int top = 0;
+    float result = 0.0;
+    for (int p = begin; p < end;) {
+        vec4 head = csg_texel(p);
+        int flags = int(head.z);
+        bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
+        float value;
+        if ((flags & CSG_RECORD_POP) != 0) {
+            value = result;
+            result = stack[--top];
+            p++;
+        } else {
+            vec2 span, gap;
+            csg_read_leaf(p, head, d, span, gap);
+            bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
+#ifdef CSG_HAS_GAP
+            value = negated ? csg_outside_gap(k, span, gap) : csg_inside_gap(k, span, gap);
+#else
+            value = negated ? csg_outside(k, span) : csg_inside(k, span);
+#endif
+        }
+        if ((flags & CSG_RECORD_PUSH) != 0)
+            stack[top++] = result;
+        if ((flags & CSG_RECORD_START) != 0)
+            result = value;
+        else
+            result = all ? max(result, value) : min(result, value);
+    }
+    return result;
+}
+
+/* The record of the literal that is responsible for the change at k. */
+int csg_program_change(int begin, int end, vec2 d, float k, bool dual)
+{
+    csg_change stack[CSG_STACK_SIZE];
+    int top = 0;
+    csg_change result = csg_change(false, false, CSG_RANK_NONE, 0);
+    for (int p = begin; p < end;) {
+        int record = p;
+        vec4 head = csg_texel(p);
+        int flags = int(head.z);
+        bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
+        csg_change value;
+        if ((flags & CSG_RECORD_POP) != 0) {
+            value = result;
+            result = stack[--top];
+            p++;
+        } else {
+            vec2 span, gap;
+            csg_read_leaf(p, head, d, span, gap);
+            bool negated = (flags & CSG_RECORD_NEGATED) != 0;
+            bvec2 around = csg_around_gap(k, span, gap);
+            int leaf = int(csg_texel(int(head.w) * 4 + CSG_ATTRIBUTE_ORIGIN).z);
+            value = csg_literal(negated != dual ? not(around) : around,
+                                leaf + (negated ? CSG_RANK_NEGATED : 0), record);
+        }
+        if ((flags & CSG_RECORD_PUSH) != 0)
+            stack[top++] = result;
+        if ((flags & CSG_RECORD_START) != 0)
+            result = value;
+        else
+            result = all ? csg_all(result, value) : csg_any(result, value);
+    }
+    return result.record;
+}

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* The first change of the solid along the ray, by interval jumping. */
+
+/* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. */
+bool csg_resolve(int begin, int end, vec2 d, out float k, out int record, out bool inside)
+{
+    k = -CSG_KEY_MAX;
+    inside = csg_program_next(begin, end, d, k, false) <= k;
+    for (;;) {
+        float next = csg_program_next(begin, end, d, k, inside);
+        if (!(next > k))
+            break;
+        k = next;
+        if (k >= csg_screen_key.z)
+            return false;
+    }
+    record = csg_program_change(begin, end, d, k, inside);
+    return true;
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Literals along the ray. A leaf is true on [span.x, span.y) less [gap.x, gap.y). The functions
+ * answer: where, at k or later, is the literal true at the soonest? With min for a union and max
+ * for an intersection that becomes the same question for the whole tree, a bound that
+ * csg_resolve iterates to the first true point: interval jumping, for any tree
+ * (docs/pipeline.md). Ends are half-open, so crossings at the same k are one event and an
+ * interval without length does not exist.
+ */
+
+#define CSG_NEVER (2.0 * CSG_KEY_MAX)
+
+float csg_inside(float k, vec2 span)
+{
+    return k < span.y ? max(k, span.x) : CSG_NEVER;
+}
+
+float csg_outside(float k, vec2 span)
+{
+    return k >= span.x && k < span.y ? span.y : k;
+}
+
+float csg_inside_gap(float k, vec2 span, vec2 gap)
+{
+    float at = csg_outside(max(k, span.x), gap);
+    return at < span.y ? at : CSG_NEVER;
+}
+
+float csg_outside_gap(float k, vec2 span, vec2 gap)
+{
+    if (k < span.x || k >= span.y || (k >= gap.x && k < gap.y))
+        return k;
+    return k < gap.x ? min(gap.x, span.y) : span.y;
+}
+
+/* Membership just before (x) and just after (y) k. */
+bvec2 csg_around(float k, vec2 span)
+{
+    return bvec2(span.x < k && k <= span.y, span.x <= k && k < span.y);
+}
+
+bvec2 csg_around_gap(float k, vec2 span, vec2 gap)
+{
+    bvec2 outer = csg_around(k, span), inner = csg_around(k, gap);
+    return bvec2(outer.x && !inner.x, outer.y && !inner.y);
+}

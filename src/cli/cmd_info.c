@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+
+/* csgcast info: what a scene needs, and what is left out. */
+
+#include "commands.h"
+#include "json.h"
+#include "messages.h"
+#include "options.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define FRAME_SIZE 64 /* pixels: enough to choose the variants and to fill the texture */
+
+/* Everything there is to tell about one scene. */
+struct report {
+    struct csgcast_scene_info scene;
+    bool has_bounds;
+    double lo[3], hi[3];
+    bool has_frame;
+    char renderer[256];
+    struct csgcast_stats frame;
+};
+
+/* The numbers of struct csgcast_scene_info, in the order in which they are printed. */
+struct count_row {
+    const char *key, *label;
+    size_t offset;
+};
+
+#define COUNT(key, label)                                                                          \
+    {                                                                                              \
+#key, label, offsetof(struct csgcast_scene_info, num_##key)                                \
+    }
+
+static const struct count_row count_rows[] = {
+    COUNT(leaves, "leaves"),
+    COUNT(objects, "objects"),
+    COUNT(nodes, "Boolean nodes"),
+    {"depth", "depth", offsetof(struct csgcast_scene_info, depth)},
+    COUNT(planes, "planes"),
+    COUNT(quadrics, "quadrics"),
+    COUNT(shared, "shared faces"),
+    {"max_crossings", "crossings at most", offsetof(struct csgcast_scene_info, max_crossings)},
+    COUNT(exact, "exact"),
+    COUNT(facetted, "facetted"),
+    COUNT(highlighted, "highlighted (#)"),
+    COUNT(background, "background (%)"),
+    COUNT(dropped, "left out"),
+};
+
+#define NUM_COUNT_ROWS (sizeof count_rows / sizeof *count_rows)
+
+static size_t get_count(const struct report *report, const struct count_row *row)
+{
+    const char *base = (const char *)&report->scene;
+    return *(const size_t *)(const void *)(base + row->offset);
+}
+
+/* ---- for people ----------------------------------------------------------------------------- */
+
+static void print_text(const struct report *report)
+{
+    printf("kinds              ");
+    for (size_t i = 0; i < report->scene.num_kinds; i++)
+        printf("%s%s %zu", i ? ", " : "", report->scene.kinds[i].name,
+               report->scene.kinds[i].count);
+    printf("%s\n", report->scene.num_kinds ? "" : "none");
+    for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
+        printf("%-18s %zu\n", count_rows[i].label, get_count(report, &count_rows[i]));
+    if (report->has_bounds)
+        printf("bounds             %g %g %g to %g %g %g\n", report->lo[0], report->lo[1],
+               report->lo[2], report->hi[0], report->hi[1], report->hi[2]);
+    else
+        printf("bounds             empty\n");
+    if (report->has_frame)
+        printf("renderer           %s\nvariants           %s\nprograms           %zu\n"
+               "texture bytes      %zu\n",
+               report->renderer, report->frame.variants, report->frame.programs,
+               report->frame.texture_bytes);
+}
+
+/* ---- for machines --------------------------------------------------------------------------- */
+
+static void print_json(const struct report *report, const char *input)
+{
+    struct csg_json json = {.file = stdout};
+    csg_json_open(&json, NULL);
+    csg_json_string(&json, "scene", input);
+    csg_json_string(&json, "version", csgcast_version());
+    csg_json_open(&json, "kinds");
+    for (size_t i = 0; i < report->scene.num_kinds; i++)
+        csg_json_size(&json, report->scene.kinds[i].name, report->scene.kinds[i].count);
+    csg_json_close(&json);
+    for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
+        csg_json_size(&json, count_rows[i].key, get_count(report, &count_rows[i]));
+    if (report->has_bounds) {
+        csg_json_vector(&json, "lo", report->lo);
+        csg_json_vector(&json, "hi", report->hi);
+    }
+    if (report->has_frame) {
+        csg_json_string(&json, "renderer", report->renderer);
+        csg_json_string(&json, "variants", report->frame.variants);
+        csg_json_size(&json, "programs", report->frame.programs);
+        csg_json_size(&json, "texture_bytes", report->frame.texture_bytes);
+    }
+    csg_json_close(&json);
+}
+
+/* ---- the command ---------------------------------------------------------------------------- */
+
+/* Draws a small frame, since the variants and the texture depend on the view. */
+static bool render_frame(const struct csg_cli_options *options, const struct csgcast_scene *scene,
+                         struct report *report)
+{
+    struct csgcast_view view = options->view;
+    float rgba[FRAME_SIZE * FRAME_SIZE * 4];
+    const struct csgcast_image image = {.rgba = rgba};
+    view.width = view.height = FRAME_SIZE;
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&options->renderer);
+    report->has_frame = renderer && csgcast_render(renderer, scene, &view, &image);
+    if (report->has_frame) {
+        csgcast_renderer_get_stats(renderer, &report->frame);
+        snprintf(report->renderer, sizeof report->renderer, "%s", csgcast_renderer_name(renderer));
+    }
+    csgcast_renderer_destroy(renderer);
+    return report->has_frame;
+}
+
+static enum csg_cli_exit run(const struct csg_cli_options *options)
+{
+    struct report report = {.has_bounds = false};
+    enum csg_cli_exit result = CSG_EXIT_OK;
+    struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
+    if (!scene)
+        return CSG_EXIT_FAILED;
+    csgcast_scene_get_info(scene, &report.scene);
+    report.has_bounds = csgcast_scene_get_bounds(scene, report.lo, report.hi);
+    if (!options->no_gl && !render_frame(options, scene, &report))
+        result = CSG_EXIT_FAILED;
+    if (options->json)
+        print_json(&report, options->input);
+    else
+        print_text(&report);
+    csgcast_scene_destroy(scene);
+    if (fflush(stdout) || ferror(stdout)) {
+        csg_cli_error("cannot write to standard output");
+        return CSG_EXIT_OUTPUT;
+    }
+    return result;
+}
+
+const struct csg_cli_command csg_command_info = {
+    .name = "info",
+    .bit = CSG_COMMAND_INFO,
+    .summary = "tell what a scene needs and what is left out",
+    .usage = "FILE [OPTION...]",
+    .text = "Counts the solids of a scene by kind, its Boolean nodes, distinct surfaces and the\n"
+            "crossings that a ray can have, and draws a small frame to tell which variants\n"
+            "resolve it and how large its float texture is. FILE - is standard input.\n",
+    .tail = "  csgcast info part.scad\n"
+            "  csgcast info part.csg --json --no-gl\n",
+    .run = run,
+};

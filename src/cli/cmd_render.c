@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: MIT */
+
+/* csgcast render: scene in, image file out. */
+
+#include "commands.h"
+#include "messages.h"
+#include "options.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
+
+static bool is_stream(const char *path)
+{
+    return !strcmp(path, "-");
+}
+
+static bool has_extension(const char *path, const char *extension)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcmp(dot, extension);
+}
+
+/* ---- where the image goes ----------------------------------------------------------------- */
+
+/* "dir/part.scad" gives "part.png"; NULL when memory is out. */
+static char *default_output(const char *input, const char *format)
+{
+    const char *slash = strrchr(input, '/');
+    const char *name = slash ? slash + 1 : input;
+    const char *dot = strrchr(name, '.');
+    const int length = (int)(dot && dot != name ? (size_t)(dot - name) : strlen(name));
+    const char *extension = format ? format : "png";
+    const size_t size = strlen(name) + strlen(extension) + 2;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%.*s.%s", length, name, extension);
+    return path;
+}
+
+/* The folder of a path in a new string, "." when it names none; NULL when memory is out. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
+    char *folder = malloc(length + 1);
+    if (!folder)
+        return NULL;
+    memcpy(folder, slash ? path : ".", length);
+    folder[length] = 0;
+    return folder;
+}
+
+/* Finds out before the work, and not after it, that the image has nowhere to go. */
+static enum csg_cli_exit check_output(const char *input, const char *output)
+{
+    struct stat in, out;
+    if (is_stream(output))
+        return CSG_EXIT_OK;
+    if (!stat(output, &out)) {
+        if (S_ISDIR(out.st_mode)) {
+            csg_cli_error("cannot write %s: it is a folder", output);
+            return CSG_EXIT_OUTPUT;
+        }
+        if (!stat(input, &in) && in.st_dev == out.st_dev && in.st_ino == out.st_ino) {
+            csg_cli_error("the image %s would overwrite the scene", output);
+            return CSG_EXIT_USAGE;
+        }
+    }
+    char *folder = folder_of(output);
+    const bool writable = folder && !access(folder, W_OK | X_OK);
+    if (!writable)
+        csg_cli_error("cannot write %s: %s", output, strerror(folder ? errno : ENOMEM));
+    free(folder);
+    return writable ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
+}
+
+/* ---- the picture in memory ---------------------------------------------------------------- */
+
+static void free_image(struct csgcast_image *image)
+{
+    free(image->rgba);
+    free(image->z);
+    free(image->normal);
+    free(image->id);
+    *image = (struct csgcast_image){0};
+}
+
+/* wanted: false leaves the channel NULL, which is no failure. */
+static bool allocate_channel(float **channel, bool wanted, size_t num)
+{
+    *channel = wanted ? calloc(num, sizeof **channel) : NULL;
+    return *channel || !wanted;
+}
+
+static bool allocate_image(struct csgcast_image *image, const struct csgcast_view *view,
+                           const struct csgcast_write_params *write)
+{
+    const size_t num = (size_t)view->width * (size_t)view->height;
+    *image = (struct csgcast_image){0};
+    if (allocate_channel(&image->rgba, true, 4 * num) &&
+        allocate_channel(&image->z, write->write_z, num) &&
+        allocate_channel(&image->normal, write->write_normal, 3 * num) &&
+        allocate_channel(&image->id, write->write_id, num))
+        return true;
+    csg_cli_error("out of memory for an image of %d x %d pixels", view->width, view->height);
+    free_image(image);
+    return false;
+}
+
+/* ---- what the file says about itself ------------------------------------------------------- */
+
+struct metadata_texts {
+    char software[64], eye[96], right[96], up[96], forward[96], extent[96];
+};
+
+static void print_vector(char text[96], const double v[3])
+{
+    snprintf(text, 96, "%.17g,%.17g,%.17g", v[0], v[1], v[2]);
+}
+
+/* The resolved camera, with all digits: another program can cast the same rays. */
+static void print_frustum(struct metadata_texts *texts, const struct csgcast_frustum *frustum)
+{
+    print_vector(texts->eye, frustum->eye);
+    print_vector(texts->right, frustum->right);
+    print_vector(texts->up, frustum->up);
+    print_vector(texts->forward, frustum->forward);
+    snprintf(texts->extent, sizeof texts->extent, "%.17g,%.17g", frustum->half_width,
+             frustum->half_height);
+}
+
+static bool write_image(const char *path, const struct csg_cli_options *options,
+                        const struct csgcast_view *view, const struct csgcast_image *image,
+                        const struct csgcast_frustum *frustum)
+{
+    struct metadata_texts texts;
+    snprintf(texts.software, sizeof texts.software, "csgcast %s", csgcast_version());
+    print_frustum(&texts, frustum);
+    const struct csgcast_metadata metadata[] = {
+        {"Software", texts.software},
+        {"csgcast:version", csgcast_version()},
+        {"csgcast:scene", options->input},
+        {"csgcast:facets", options->facets},
+        {"csgcast:camera", options->camera ? options->camera : "default"},
+        {"csgcast:projection", frustum->orthographic ? "orthographic" : "perspective"},
+        {"csgcast:eye", texts.eye},
+        {"csgcast:right", texts.right},
+        {"csgcast:up", texts.up},
+        {"csgcast:forward", texts.forward},
+        {"csgcast:half_extent", texts.extent},
+    };
+    struct csgcast_write_params params = options->write;
+    params.metadata = metadata;
+    params.num_metadata = sizeof metadata / sizeof *metadata;
+    return csgcast_image_write(path, view->width, view->height, image, &params);
+}
+
+/* ---- the command ---------------------------------------------------------------------------- */
+
+static void print_stats(const struct csgcast_renderer *renderer)
+{
+    struct csgcast_stats stats;
+    csgcast_renderer_get_stats(renderer, &stats);
+    fprintf(stderr,
+            "renderer        %s\n"
+            "variants        %s\n"
+            "texture bytes   %zu\n"
+            "bytes uploaded  %zu\n"
+            "programs        %zu\n"
+            "compile ms      %.3f\n"
+            "cpu ms          %.3f\n"
+            "frame ms        %.3f\n"
+            "objects drawn   %zu\n"
+            "proxy pixels    %zu\n"
+            "hit pixels      %zu\n",
+            csgcast_renderer_name(renderer), stats.variants, stats.texture_bytes,
+            stats.bytes_uploaded, stats.programs, stats.compile_ms, stats.cpu_ms, stats.frame_ms,
+            stats.objects_drawn, stats.proxy_pixels, stats.hit_pixels);
+}
+
+static bool render_image(const struct csg_cli_options *options, const struct csgcast_scene *scene,
+                         const struct csgcast_view *view, const struct csgcast_image *image)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&options->renderer);
+    if (!renderer)
+        return false;
+    const bool good = csgcast_render(renderer, scene, view, image);
+    if (good && options->stats)
+        print_stats(renderer);
+    csgcast_renderer_destroy(renderer);
+    return good;
+}
+
+static enum csg_cli_exit render_scene(const struct csg_cli_options *options,
+                                      const struct csgcast_scene *scene, const char *output)
+{
+    struct csgcast_view view = options->view;
+    struct csgcast_image image;
+    struct csgcast_frustum frustum;
+    enum csg_cli_exit result = CSG_EXIT_FAILED;
+    view.width = view.width ? view.width : DEFAULT_SIZE;
+    view.height = view.height ? view.height : DEFAULT_SIZE;
+    if (!csgcast_view_resolve(scene, &view, &frustum) ||
+        !allocate_image(&image, &view, &options->write))
+        return CSG_EXIT_FAILED;
+    if (render_image(options, scene, &view, &image))
+        result =
+            write_image(output, options, &view, &image, &frustum) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
+    free_image(&image);
+    return result;
+}
+
+/* A .csg has no variables; whoever sets some expects another picture. */
+static void warn_defines(const struct csg_cli_options *options)
+{
+    const struct csgcast_scene_params *params = &options->scene;
+    if (options->quiet || has_extension(options->input, ".scad"))
+        return;
+    for (size_t i = 0; i < params->num_defines; i++) {
+        if (params->defines[i][0] != '$')
+            csg_cli_warning("-D %s has no effect: %s is not a .scad file", params->defines[i],
+                            options->input);
+    }
+}
+
+static enum csg_cli_exit run(const struct csg_cli_options *options)
+{
+    if (is_stream(options->input) && !options->output) {
+        csg_cli_error("a scene from standard input needs -o FILE");
+        return CSG_EXIT_USAGE;
+    }
+    char *named = options->output ? NULL : default_output(options->input, options->write.format);
+    const char *output = options->output ? options->output : named;
+    if (!output) {
+        csg_cli_error("out of memory");
+        return CSG_EXIT_FAILED;
+    }
+    enum csg_cli_exit result = check_output(options->input, output);
+    if (result == CSG_EXIT_OK) {
+        warn_defines(options);
+        csgcast_image_preload();
+        struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
+        result = scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
+        csgcast_scene_destroy(scene);
+    }
+    free(named);
+    return result;
+}
+
+const struct csg_cli_command csg_command_render = {
+    .name = "render",
+    .bit = CSG_COMMAND_RENDER,
+    .summary = "draw a scene into an image file",
+    .usage = "FILE [-o IMAGE] [OPTION...]",
+    .text = "Draws a .csg file, or a .scad file by way of the installed openscad. FILE - is .csg\n"
+            "text on standard input. The options are OpenSCAD's where it has one.\n",
+    .tail = "  csgcast render part.scad -o part.png\n"
+            "  csgcast render part.scad -o part.png --imgsize=1024,768 --projection=o\n"
+            "  csgcast render part.csg -o part.png --camera=0,0,0,55,0,25,140\n"
+            "  csgcast render part.scad -D 'width=30' -o wide.png\n"
+            "  csgcast render part.csg -o part.exr --aov=Z,N,id\n"
+            "  openscad -o - --export-format csg part.scad | csgcast render - -o - > part.png\n",
+    .run = run,
+};

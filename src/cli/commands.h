@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CLI_COMMANDS_H
+#define CSG_CLI_COMMANDS_H
+
+#include <stdbool.h>
+
+struct csg_cli_options;
+
+/* What the process returns. Documented in docs/csgcast.1 and in the help text. */
+enum csg_cli_exit {
+    CSG_EXIT_OK = 0,
+    CSG_EXIT_FAILED = 1, /* the scene cannot be read or rendered */
+    CSG_EXIT_USAGE = 2,  /* the command line makes no sense */
+    CSG_EXIT_OUTPUT = 3, /* the result cannot be written */
+};
+
+/* Bits that say which commands take an option. */
+enum csg_cli_command_bit {
+    CSG_COMMAND_RENDER = 1,
+    CSG_COMMAND_INFO = 2,
+    CSG_COMMAND_ALL = 3,
+};
+
+struct csg_cli_command {
+    const char *name;
+    enum csg_cli_command_bit bit;
+    const char *summary; /* one line for the list of commands */
+    const char *usage;   /* what follows "csgcast NAME" */
+    const char *text;    /* help between usage and options */
+    const char *tail;    /* help after the options: examples */
+    enum csg_cli_exit (*run)(const struct csg_cli_options *options);
+};
+
+extern const struct csg_cli_command csg_command_render;
+extern const struct csg_cli_command csg_command_info;
+
+#endif

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+
+/* csgcast COMMAND ARGUMENTS: finds the command, reads its options, prints the help texts. */
+
+#include "commands.h"
+#include "csgcast/csgcast.h"
+#include "messages.h"
+#include "options.h"
+#include "values.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info};
+
+#define NUM_COMMANDS (sizeof commands / sizeof *commands)
+#define MAX_SUGGESTION_DISTANCE 3
+
+static void print_names(const char *title, const char *(*name)(size_t index))
+{
+    printf("\n%s\n ", title);
+    for (size_t i = 0; name(i); i++)
+        printf("%s %s", i ? "," : "", name(i));
+    printf("\n");
+}
+
+static void print_exit_codes(void)
+{
+    printf("\nExit codes\n"
+           "  0  all went well\n"
+           "  1  the scene cannot be read or rendered\n"
+           "  2  the command line makes no sense\n"
+           "  3  the result cannot be written\n");
+}
+
+static void print_overview(void)
+{
+    printf("csgcast renders constructive solid geometry exactly: OpenSCAD's .csg and .scad files\n"
+           "and docs/scene-format.md's.\n"
+           "\n"
+           "Usage\n"
+           "  csgcast COMMAND FILE [OPTION...]\n"
+           "  csgcast help COMMAND\n"
+           "  csgcast --version\n"
+           "\n"
+           "Commands\n");
+    for (size_t i = 0; i < NUM_COMMANDS; i++)
+        printf("  %-8s %s\n", commands[i]->name, commands[i]->summary);
+    printf("  %-8s %s\n", "help", "explain a command");
+    printf("\n"
+           "Examples\n"
+           "  csgcast render part.scad -o part.png\n"
+           "  csgcast info part.scad\n"
+           "  csgcast help render\n");
+    print_exit_codes();
+}
+
+static void print_command_help(const struct csg_cli_command *command)
+{
+    printf("Usage\n  csgcast %s %s\n\n%s\nOptions (--name=value or --name value)\n", command->name,
+           command->usage, command->text);
+    csg_options_print(stdout, command);
+    print_names("Colour schemes", csgcast_colorscheme_name);
+    print_names("Variants", csgcast_variant_name);
+    printf("\nExamples\n%s", command->tail);
+    print_exit_codes();
+}
+
+static const struct csg_cli_command *find_command(const char *name)
+{
+    for (size_t i = 0; i < NUM_COMMANDS; i++) {
+        if (!strcmp(commands[i]->name, name))
+            return commands[i];
+    }
+    return NULL;
+}
+
+static enum csg_cli_exit complain_command(const char *name)
+{
+    if (strchr(name, '.') && !access(name, R_OK)) {
+        csg_cli_error("%s is no command; did you mean `csgcast render %s`?", name, name);
+        return CSG_EXIT_USAGE;
+    }
+    for (size_t i = 0; i < NUM_COMMANDS; i++) {
+        if (csg_value_distance(name, commands[i]->name) <= MAX_SUGGESTION_DISTANCE) {
+            csg_cli_error("unknown command %s; did you mean %s?", name, commands[i]->name);
+            return CSG_EXIT_USAGE;
+        }
+    }
+    csg_cli_error("unknown command %s; see `csgcast help`", name);
+    return CSG_EXIT_USAGE;
+}
+
+/* Help and version count as written only when standard output took them. */
+static enum csg_cli_exit finish_output(void)
+{
+    if (!fflush(stdout) && !ferror(stdout))
+        return CSG_EXIT_OK;
+    csg_cli_error("cannot write to standard output");
+    return CSG_EXIT_OUTPUT;
+}
+
+static enum csg_cli_exit run_help(int num, char **argv)
+{
+    if (num == 0) {
+        print_overview();
+        return finish_output();
+    }
+    const struct csg_cli_command *command = find_command(argv[0]);
+    if (!command)
+        return complain_command(argv[0]);
+    print_command_help(command);
+    return finish_output();
+}
+
+static enum csg_cli_exit run_version(void)
+{
+    printf("csgcast %s\n", csgcast_version());
+    return finish_output();
+}
+
+static enum csg_cli_exit run_command(const struct csg_cli_command *command, int num, char **argv)
+{
+    struct csg_cli_options options;
+    enum csg_cli_exit result = CSG_EXIT_USAGE;
+    if (csg_options_parse(&options, command, num, argv)) {
+        if (options.help)
+            print_command_help(command);
+        result = options.help ? finish_output() : command->run(&options);
+    }
+    csg_options_finish(&options);
+    return result;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        csg_cli_error("which command? see `csgcast help`");
+        return CSG_EXIT_USAGE;
+    }
+    const char *name = argv[1];
+    if (!strcmp(name, "help") || !strcmp(name, "--help") || !strcmp(name, "-h"))
+        return (int)run_help(argc - 2, argv + 2);
+    if (!strcmp(name, "--version") || !strcmp(name, "-v") || !strcmp(name, "version"))
+        return (int)run_version();
+    const struct csg_cli_command *command = find_command(name);
+    if (!command)
+        return (int)complain_command(name);
+    return (int)run_command(command, argc - 2, argv + 2);
+}

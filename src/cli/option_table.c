@@ -1,0 +1,348 @@
+/* SPDX-License-Identifier: MIT */
+#include "option_table.h"
+
+#include "values.h"
+
+#include <string.h>
+
+#define MAX_IMAGE_SIZE 16384 /* pixels; csgcast_view's limit */
+
+static const char *set_output(struct csg_cli_options *options, const char *value)
+{
+    if (options->output)
+        return "given only once";
+    if (!*value)
+        return "a file name";
+    options->output = value;
+    return NULL;
+}
+
+static const char *set_format(struct csg_cli_options *options, const char *value)
+{
+    options->write.format = value;
+    return *value ? NULL : "png, exr, tif, ...";
+}
+
+static const char *set_imgsize(struct csg_cli_options *options, const char *value)
+{
+    double size[2];
+    if (csg_value_list(value, size, 2) != 2)
+        return "WIDTH,HEIGHT";
+    for (int i = 0; i < 2; i++) {
+        if (size[i] < 1 || size[i] > MAX_IMAGE_SIZE || size[i] != (int)size[i])
+            return "two whole numbers from 1 to 16384";
+    }
+    options->view.width = (int)size[0];
+    options->view.height = (int)size[1];
+    return NULL;
+}
+
+static const char *set_camera(struct csg_cli_options *options, const char *value)
+{
+    struct csgcast_camera *camera = &options->view.camera;
+    double v[7];
+    const size_t num = csg_value_list(value, v, 7);
+    if (num == 7) {
+        camera->kind = CSGCAST_CAMERA_GIMBAL;
+        memcpy(camera->translate, v, sizeof camera->translate);
+        memcpy(camera->rotate, v + 3, sizeof camera->rotate);
+        camera->distance = v[6];
+    } else if (num == 6) {
+        camera->kind = CSGCAST_CAMERA_VECTOR;
+        memcpy(camera->eye, v, sizeof camera->eye);
+        memcpy(camera->center, v + 3, sizeof camera->center);
+    } else {
+        return "7 numbers tx,ty,tz,rx,ry,rz,distance or 6 numbers ex,ey,ez,cx,cy,cz";
+    }
+    options->camera = value;
+    return NULL;
+}
+
+static const char *set_projection(struct csg_cli_options *options, const char *value)
+{
+    static const struct csg_value_name names[] = {
+        {"p", CSGCAST_PERSPECTIVE},
+        {"perspective", CSGCAST_PERSPECTIVE},
+        {"o", CSGCAST_ORTHOGRAPHIC},
+        {"ortho", CSGCAST_ORTHOGRAPHIC},
+        {"orthographic", CSGCAST_ORTHOGRAPHIC},
+        {"orthogonal", CSGCAST_ORTHOGRAPHIC},
+        {NULL, 0},
+    };
+    int projection;
+    if (!csg_value_enum(value, names, &projection))
+        return "p (perspective) or o (orthographic)";
+    options->view.camera.projection = (enum csgcast_projection)projection;
+    return NULL;
+}
+
+static const char *set_viewall(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->view.camera.viewall = true;
+    return NULL;
+}
+
+static const char *set_autocenter(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->view.camera.autocenter = true;
+    return NULL;
+}
+
+static const char *set_fov(struct csg_cli_options *options, const char *value)
+{
+    double *fov = &options->view.camera.fov;
+    if (!csg_value_double(value, fov) || !(*fov > 0 && *fov < 180))
+        return "degrees between 0 and 180";
+    return NULL;
+}
+
+static const char *set_colorscheme(struct csg_cli_options *options, const char *value)
+{
+    options->view.colorscheme = value;
+    for (size_t i = 0; csgcast_colorscheme_name(i); i++) {
+        if (!strcmp(csgcast_colorscheme_name(i), value))
+            return NULL;
+    }
+    return "one of the names that `csgcast help render` lists";
+}
+
+static const char *set_cut_color(struct csg_cli_options *options, const char *value)
+{
+    static const struct csg_value_name names[] = {
+        {"openscad", CSGCAST_CUT_OPENSCAD}, {"minuend", CSGCAST_CUT_MINUEND}, {NULL, 0}};
+    int cut_color;
+    if (!csg_value_enum(value, names, &cut_color))
+        return "openscad or minuend";
+    options->view.cut_color = (enum csgcast_cut_color)cut_color;
+    return NULL;
+}
+
+static const char *set_define(struct csg_cli_options *options, const char *value)
+{
+    const char *equals = strchr(value, '=');
+    if (!equals || equals == value)
+        return "NAME=VALUE";
+    options->defines[options->scene.num_defines++] = value;
+    return NULL;
+}
+
+/* openscad --render flattens the model as for export; what a .scad sees of that is $preview. */
+static const char *set_render(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    return set_define(options, "$preview=false");
+}
+
+static const char *set_facets(struct csg_cli_options *options, const char *value)
+{
+    static const struct csg_value_name names[] = {{"auto", CSGCAST_FACETS_AUTO},
+                                                  {"exact", CSGCAST_FACETS_EXACT},
+                                                  {"as-written", CSGCAST_FACETS_AS_WRITTEN},
+                                                  {NULL, 0}};
+    int facets;
+    if (!csg_value_enum(value, names, &facets))
+        return "auto, exact or as-written";
+    options->scene.facets = (enum csgcast_facets)facets;
+    options->facets = value;
+    return NULL;
+}
+
+static const char *set_skip_unsupported(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.skip_unsupported = true;
+    return NULL;
+}
+
+static const char *set_openscad(struct csg_cli_options *options, const char *value)
+{
+    options->scene.openscad = value;
+    return *value ? NULL : "a program";
+}
+
+static const char *set_backend(struct csg_cli_options *options, const char *value)
+{
+    /* The last four are the mesh kernels of OpenSCAD's option of this name: any of ours will do. */
+    static const struct csg_value_name names[] = {{"auto", CSGCAST_BACKEND_AUTO},
+                                                  {"egl", CSGCAST_BACKEND_EGL},
+                                                  {"osmesa", CSGCAST_BACKEND_OSMESA},
+                                                  {"reference", CSGCAST_BACKEND_REFERENCE},
+                                                  {"Manifold", CSGCAST_BACKEND_AUTO},
+                                                  {"manifold", CSGCAST_BACKEND_AUTO},
+                                                  {"CGAL", CSGCAST_BACKEND_AUTO},
+                                                  {"cgal", CSGCAST_BACKEND_AUTO},
+                                                  {NULL, 0}};
+    int backend;
+    if (!csg_value_enum(value, names, &backend))
+        return "auto, egl, osmesa or reference";
+    options->renderer.backend = (enum csgcast_backend)backend;
+    return NULL;
+}
+
+static const char *set_variant(struct csg_cli_options *options, const char *value)
+{
+    options->view.variant = value;
+    if (!strcmp(value, "auto"))
+        return NULL;
+    for (size_t i = 0; csgcast_variant_name(i); i++) {
+        if (!strcmp(csgcast_variant_name(i), value))
+            return NULL;
+    }
+    return "auto or one of the names that `csgcast help render` lists";
+}
+
+/* Takes one name of length letters; false when it is none of ours. */
+static bool set_channel(struct csgcast_write_params *write, const char *name, size_t length)
+{
+    if (length == 1 && *name == 'Z')
+        write->write_z = true;
+    else if (length == 1 && *name == 'N')
+        write->write_normal = true;
+    else if (length == 2 && !strncmp(name, "id", 2))
+        write->write_id = true;
+    else
+        return false;
+    return true;
+}
+
+static const char *set_aov(struct csg_cli_options *options, const char *value)
+{
+    for (;;) {
+        const size_t length = strcspn(value, ",");
+        if (!set_channel(&options->write, value, length))
+            return "names from Z, N, id, separated by commas";
+        if (!value[length])
+            return NULL;
+        value += length + 1;
+    }
+}
+
+static const char *set_bits(struct csg_cli_options *options, const char *value)
+{
+    int *bits = &options->write.bits;
+    return csg_value_int(value, bits) && (*bits == 8 || *bits == 16) ? NULL : "8 or 16";
+}
+
+static const char *set_stats(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->stats = true;
+    return NULL;
+}
+
+static const char *set_json(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->json = true;
+    return NULL;
+}
+
+static const char *set_no_gl(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->no_gl = true;
+    return NULL;
+}
+
+static const char *set_quiet(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->quiet = true;
+    return NULL;
+}
+
+static const char *set_help(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->help = true;
+    return NULL;
+}
+
+#define NONE CSG_ARGUMENT_NONE
+#define REQUIRED CSG_ARGUMENT_REQUIRED
+#define OPTIONAL CSG_ARGUMENT_OPTIONAL
+#define RENDER CSG_COMMAND_RENDER
+#define INFO CSG_COMMAND_INFO
+#define ALL CSG_COMMAND_ALL
+
+const struct csg_option csg_option_table[] = {
+    {"output", 'o', REQUIRED, RENDER, "FILE",
+     "the image; its extension is the format; - is standard output\n"
+     "default: the scene's name with .png, in the current directory",
+     set_output},
+    {"o", 0, REQUIRED, RENDER, "FILE", NULL, set_output},
+    {"format", 0, REQUIRED, RENDER, "NAME", "png, exr, tif, ... instead of the extension",
+     set_format},
+    {"export-format", 0, REQUIRED, RENDER, "NAME", NULL, set_format},
+    {"bits", 0, REQUIRED, RENDER, "8|16", "per channel of PNG and TIFF; default 8", set_bits},
+    {"aov", 0, REQUIRED, RENDER, "LIST",
+     "what an EXR carries besides colour: Z (distance along the view\n"
+     "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
+     set_aov},
+    {"imgsize", 0, REQUIRED, RENDER, "W,H", "size in pixels; default 512,512", set_imgsize},
+    {"camera", 0, REQUIRED, RENDER, "NUMBERS",
+     "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
+     "default: rotation 55,0,25, the whole scene in view",
+     set_camera},
+    {"projection", 0, REQUIRED, RENDER, "p|o", "perspective (default) or orthographic",
+     set_projection},
+    {"viewall", 0, NONE, RENDER, NULL, "move the camera so that the whole scene is in view",
+     set_viewall},
+    {"autocenter", 0, NONE, RENDER, NULL, "look at the centre of the scene", set_autocenter},
+    {"fov", 0, REQUIRED, RENDER, "DEGREES", "vertical field of view; default 22.5", set_fov},
+    {"colorscheme", 0, REQUIRED, RENDER, "NAME", "OpenSCAD's colour schemes; default Cornfield",
+     set_colorscheme},
+    {"cut-color", 0, REQUIRED, RENDER, "openscad|minuend",
+     "colour of a cut face: as OpenSCAD's preview (default), or the\n"
+     "colour of the solid that was cut",
+     set_cut_color},
+    {"define", 'D', REQUIRED, ALL, "NAME=VALUE", "set a variable of a .scad file; repeatable",
+     set_define},
+    {"D", 0, REQUIRED, ALL, "NAME=VALUE", NULL, set_define},
+    {"render", 0, OPTIONAL, ALL, NULL, "for .scad: $preview is false, as in OpenSCAD's full render",
+     set_render},
+    {"facets", 0, REQUIRED, ALL, "MODE",
+     "auto: an explicit $fn up to 12 is a polygon, the rest is exact\n"
+     "(default); exact: always; as-written: OpenSCAD's vertices",
+     set_facets},
+    {"skip-unsupported", 0, NONE, ALL, NULL, "draw the rest of a scene with unsupported nodes",
+     set_skip_unsupported},
+    {"openscad", 0, REQUIRED, ALL, "PROGRAM",
+     "what flattens .scad files; default $OPENSCAD or openscad", set_openscad},
+    {"backend", 0, REQUIRED, ALL, "NAME",
+     "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
+    {"variant", 0, REQUIRED, ALL, "NAME", "force one way to resolve the Boolean; default auto",
+     set_variant},
+    {"stats", 0, NONE, RENDER, NULL, "print what the frame cost on standard error", set_stats},
+    {"json", 0, NONE, INFO, NULL, "for machines", set_json},
+    {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
+     set_no_gl},
+    {"quiet", 'q', NONE, ALL, NULL, "print errors only", set_quiet},
+    {"help", 'h', NONE, ALL, NULL, "this text", set_help},
+    {NULL, 0, NONE, 0, NULL, NULL, NULL},
+};
+
+const struct csg_foreign_option csg_foreign_option_table[] = {
+    {"preview", 0, OPTIONAL, false, "the exact solid is always drawn"},
+    {"view", 0, REQUIRED, false, "axes, edges and scales are not drawn"},
+    {"csglimit", 0, REQUIRED, false, "there is no limit on solids"},
+    {"hardwarnings", 0, NONE, false, "warnings do not stop the rendering"},
+    {"check-parameters", 0, REQUIRED, false, "openscad's defaults are used"},
+    {"check-parameter-ranges", 0, REQUIRED, false, "openscad's defaults are used"},
+    {"trace-depth", 0, REQUIRED, false, "openscad's defaults are used"},
+    {"trace-usermodule-parameters", 0, REQUIRED, false, "openscad's defaults are used"},
+    {"enable", 0, REQUIRED, false, "openscad is run without experimental features"},
+    {"debug", 0, REQUIRED, false, "use --stats"},
+    {"summary", 0, REQUIRED, false, "use `csgcast info`"},
+    {"summary-file", 0, REQUIRED, false, "use `csgcast info --json`"},
+    {"d", 'd', REQUIRED, false, "no dependency file is written"},
+    {"m", 'm', REQUIRED, false, "missing files are not made"},
+    {"p", 'p', REQUIRED, true, "give the parameters with -D"},
+    {"P", 'P', REQUIRED, true, "give the parameters with -D"},
+    {"animate", 0, REQUIRED, true, "call csgcast once per frame with -D '$t=...'"},
+    {"s", 's', REQUIRED, true, "csgcast writes images, no meshes"},
+    {"x", 'x', REQUIRED, true, "csgcast writes images, no drawings"},
+    {NULL, 0, NONE, false, NULL},
+};

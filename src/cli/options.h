@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CLI_OPTIONS_H
+#define CSG_CLI_OPTIONS_H
+
+/*
+ * The command line of every command: one table of options, and OpenSCAD's options that mean nothing
+ * here. All strings point into argv.
+ */
+
+#include "commands.h"
+#include "csgcast/csgcast.h"
+
+#include <stdio.h>
+
+struct csg_cli_options {
+    const char *input;  /* a path, or "-" for standard input */
+    const char *output; /* a path, "-" for standard output; NULL: not given */
+    struct csgcast_scene_params scene;
+    struct csgcast_renderer_params renderer;
+    struct csgcast_view view;
+    struct csgcast_write_params write;
+    const char *camera;   /* the text of --camera, NULL: not given */
+    const char *facets;   /* the text of --facets */
+    const char **defines; /* what scene.defines points to; freed by csg_options_finish */
+    bool quiet, stats, json, no_gl;
+    bool help; /* show the help instead */
+};
+
+/*
+ * Reads argv[0..num), what stands behind the command's name. false after a message; options must be
+ * finished in either case. The log callbacks point into options, which must stay where it is.
+ */
+bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_command *command,
+                       int num, char **argv);
+void csg_options_finish(struct csg_cli_options *options);
+
+/* The command's options with their help texts. */
+void csg_options_print(FILE *file, const struct csg_cli_command *command);
+
+#endif

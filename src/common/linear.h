@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_COMMON_LINEAR_H
+#define CSG_COMMON_LINEAR_H
+
+/* Double-precision vectors, affine maps and boxes. Column vectors, as in OpenSCAD's multmatrix. */
+
+#include <math.h>
+#include <stdbool.h>
+
+struct csg_vec3 {
+    double x, y, z;
+};
+
+/* p -> linear * p + offset, rows of a 3x4 matrix. */
+struct csg_map {
+    double m[3][4];
+};
+
+/* Closed box; empty when any lo > hi; unbounded directions are infinite. */
+struct csg_box {
+    struct csg_vec3 lo, hi;
+};
+
+static inline struct csg_vec3 csg_vec3(double x, double y, double z)
+{
+    return (struct csg_vec3){x, y, z};
+}
+
+static inline struct csg_vec3 csg_add(struct csg_vec3 a, struct csg_vec3 b)
+{
+    return csg_vec3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+static inline struct csg_vec3 csg_sub(struct csg_vec3 a, struct csg_vec3 b)
+{
+    return csg_vec3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+static inline struct csg_vec3 csg_scale(double s, struct csg_vec3 a)
+{
+    return csg_vec3(s * a.x, s * a.y, s * a.z);
+}
+
+static inline double csg_dot(struct csg_vec3 a, struct csg_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline struct csg_vec3 csg_cross(struct csg_vec3 a, struct csg_vec3 b)
+{
+    return csg_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+static inline double csg_length(struct csg_vec3 a)
+{
+    return sqrt(csg_dot(a, a));
+}
+
+/* The zero vector stays zero. */
+static inline struct csg_vec3 csg_normalize(struct csg_vec3 a)
+{
+    const double length = csg_length(a);
+    return length > 0 ? csg_scale(1 / length, a) : a;
+}
+
+extern const struct csg_map csg_map_identity;
+
+struct csg_map csg_map_translation(struct csg_vec3 by);
+struct csg_map csg_map_scaling(struct csg_vec3 by);
+
+/* The map that applies b first, then a. */
+struct csg_map csg_map_multiply(const struct csg_map *a, const struct csg_map *b);
+
+double csg_map_determinant(const struct csg_map *map);
+
+/* false when the linear part is singular to working precision; inverse is then untouched. */
+bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse);
+
+struct csg_vec3 csg_map_point(const struct csg_map *map, struct csg_vec3 p);
+struct csg_vec3 csg_map_direction(const struct csg_map *map, struct csg_vec3 d);
+
+/* transpose(linear) * n: carries a plane's normal backwards through the map. */
+struct csg_vec3 csg_map_transposed(const struct csg_map *map, struct csg_vec3 n);
+
+extern const struct csg_box csg_box_empty;
+extern const struct csg_box csg_box_all;
+
+bool csg_box_is_empty(const struct csg_box *box);
+bool csg_box_is_finite(const struct csg_box *box);
+void csg_box_extend(struct csg_box *box, struct csg_vec3 p);
+struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b);
+struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b);
+
+/* Corner 0..7: bit 0 takes hi.x, bit 1 hi.y, bit 2 hi.z. */
+struct csg_vec3 csg_box_corner(const struct csg_box *box, int corner);
+
+/* The box of the mapped box. Infinite where a direction that the map uses is infinite. */
+struct csg_box csg_box_map(const struct csg_map *map, const struct csg_box *box);
+
+#endif

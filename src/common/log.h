@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_COMMON_LOG_H
+#define CSG_COMMON_LOG_H
+
+#include "csgcast/csgcast.h"
+
+/* Where the messages of one scene, renderer or call go. Copied by value. */
+struct csg_log {
+    csgcast_log_fn *fn; /* NULL: standard error */
+    void *user;
+};
+
+#if defined(__GNUC__)
+#define CSG_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
+#else
+#define CSG_PRINTF(fmt, args)
+#endif
+
+/* Formats one message of any length and hands it to the callback. */
+void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
+                   enum csgcast_message id, const char *format, ...) CSG_PRINTF(4, 5);
+
+#define csg_log_error(log, id, ...) csg_log_print(log, CSGCAST_LOG_ERROR, id, __VA_ARGS__)
+#define csg_log_warning(log, id, ...) csg_log_print(log, CSGCAST_LOG_WARNING, id, __VA_ARGS__)
+
+/* The one message for a failed allocation. Always returns false. */
+bool csg_log_memory(const struct csg_log *log);
+
+#endif

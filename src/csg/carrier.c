@@ -1,0 +1,345 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/carrier.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "csg/carrier_index.h"
+#include "csg/object.h"
+#include "solids/sample.h"
+
+/* Points of a quadric's surface that decide whether it lies on another one; nine fix a quadric. */
+#define CSG_NUM_SAMPLES 24
+
+/* A small leaf's face, continued to the far end of the scene, strays by this many times its
+ * tolerance at most before the index may miss it. */
+#define MAX_LEVER 16.0
+
+/* Where a leaf is and how much its faces may be off. */
+struct extent {
+    struct csg_vec3 center;
+    double radius; /* infinite for an unbounded leaf */
+    double rounding;
+};
+
+struct builder {
+    const struct csgcast_scene *scene;
+    struct csg_carriers *carriers;
+    CSG_ARRAY(double) plane_rounding;   /* of the leaf each carrier came from */
+    CSG_ARRAY(double) quadric_rounding;
+    struct csg_carrier_index index;
+    CSG_ARRAY(uint32_t) leaves; /* of the object at hand, largest first */
+};
+
+static struct extent leaf_extent(const struct csg_leaf *leaf)
+{
+    const struct csg_box box = csg_leaf_box(leaf);
+    struct extent extent = {{0, 0, 0}, INFINITY, leaf->shape.rounding};
+    if (csg_box_is_finite(&box)) {
+        extent.center = csg_scale(0.5, csg_add(box.lo, box.hi));
+        extent.radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    }
+    return extent;
+}
+
+static double tolerance(const struct extent *extent, double other_rounding)
+{
+    const double size = csg_length(extent->center) +
+                        (isfinite(extent->radius) ? extent->radius : 1);
+    return extent->rounding + other_rounding + CSG_COINCIDENT_RELATIVE * size;
+}
+
+/* Largest distance between two planes over a ball; s is the sign that aligns the normals. */
+static double plane_deviation(const struct csg_plane *a, const struct csg_plane *b, double s,
+                              const struct extent *extent)
+{
+    const struct csg_vec3 n = csg_sub(a->normal, csg_scale(s, b->normal));
+    const double turn = csg_length(n);
+    /* An unbounded face coincides only with a parallel one, to the noise of double arithmetic. */
+    if (!isfinite(extent->radius))
+        return turn > CSG_COINCIDENT_RELATIVE ? INFINITY : fabs(a->offset - s * b->offset);
+    return fabs(csg_dot(n, extent->center) - (a->offset - s * b->offset)) + turn * extent->radius;
+}
+
+static bool find_plane(const struct builder *builder, const struct csg_plane *plane,
+                       const struct extent *extent, struct csg_face *face)
+{
+    struct csg_index_probe probe;
+    csg_index_probe_plane(&builder->index, plane, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_plane *carrier = &builder->carriers->planes[i];
+        const double s = csg_dot(plane->normal, carrier->normal) < 0 ? -1 : 1;
+        if (plane_deviation(plane, carrier, s, extent) <=
+            tolerance(extent, builder->plane_rounding.data[i])) {
+            *face = (struct csg_face){i, s < 0};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Same normal form up to sign: the only quadrics that can be the same surface. */
+static bool same_class(const struct csg_quadric *a, const struct csg_quadric *b, double *sign)
+{
+    for (double s = 1; s >= -1; s -= 2) {
+        if (a->diag[0] == s * b->diag[0] && a->diag[1] == s * b->diag[1] &&
+            a->diag[2] == s * b->diag[2] && a->diag[3] == s * b->diag[3] &&
+            fabs(a->linear) == fabs(b->linear)) {
+            *sign = s;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec3 *points,
+                         size_t num_points, double tolerance_length)
+{
+    for (size_t i = 0; i < num_points; i++) {
+        const double slope = csg_length(csg_quadric_gradient(carrier, points[i]));
+        if (!(fabs(csg_quadric_value(carrier, points[i])) <= tolerance_length * slope))
+            return false;
+    }
+    return num_points >= 9;
+}
+
+static bool find_quadric(const struct builder *builder, const struct csg_shape *shape,
+                         const struct extent *extent, struct csg_face *face)
+{
+    struct csg_vec3 points[CSG_NUM_SAMPLES];
+    size_t num_points = 0;
+    struct csg_index_probe probe;
+    csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        double sign;
+        const struct csg_quadric *carrier = &builder->carriers->quadrics[i];
+        if (!same_class(&shape->quadric, carrier, &sign))
+            continue;
+        if (!num_points)
+            num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
+        if (same_surface(carrier, points, num_points,
+                         tolerance(extent, builder->quadric_rounding.data[i]))) {
+            *face = (struct csg_face){i, sign < 0};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Appends to an array that lives in struct csg_carriers. */
+#define push_carrier(carriers, name, value)                                                        \
+    (((carriers)->num_##name < (carriers)->name##_capacity ||                                      \
+      csg_array_grow((void **)&(carriers)->name, &(carriers)->name##_capacity,                     \
+                     (carriers)->num_##name, 1, sizeof *(carriers)->name))                         \
+         ? ((carriers)->name[(carriers)->num_##name++] = (value), true)                            \
+         : false)
+
+static bool add_plane(struct builder *builder, const struct csg_plane *plane,
+                      const struct extent *extent, bool alone, struct csg_face *face)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    *face = (struct csg_face){(uint32_t)carriers->num_planes, false};
+    return push_carrier(carriers, planes, *plane) &&
+           csg_array_push(&builder->plane_rounding, extent->rounding) &&
+           (alone || csg_index_add_plane(&builder->index, plane, face->carrier));
+}
+
+static bool add_quadric(struct builder *builder, const struct csg_quadric *quadric,
+                        const struct extent *extent, bool alone, struct csg_face *face)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    *face = (struct csg_face){(uint32_t)carriers->num_quadrics, false};
+    return push_carrier(carriers, quadrics, *quadric) &&
+           push_carrier(carriers, quadric_boxes, csg_box_empty) &&
+           csg_array_push(&builder->quadric_rounding, extent->rounding) &&
+           (alone || csg_index_add_quadric(&builder->index, quadric, face->carrier));
+}
+
+/* The sheet as the carrier's canonical space counts it: its z axis may point the other way. */
+static int8_t carrier_sheet(const struct csg_shape *shape, const struct csg_quadric *carrier)
+{
+    const double *a = shape->quadric.to_canon.m[2], *b = carrier->to_canon.m[2];
+    return (int8_t)(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < 0 ? -shape->sheet : shape->sheet);
+}
+
+static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const struct extent extent = leaf_extent(&builder->scene->leaves[leaf]);
+    for (size_t i = 0; i < shape->num_planes; i++) {
+        struct csg_face *face = &carriers->faces[carriers->face_begin[leaf] + i];
+        if (!alone && find_plane(builder, &shape->planes[i], &extent, face))
+            carriers->num_shared++;
+        else if (!add_plane(builder, &shape->planes[i], &extent, alone, face))
+            return false;
+    }
+    if (!shape->has_quadric)
+        return true;
+    struct csg_face *face = &carriers->quadric_faces[leaf];
+    if (!alone && find_quadric(builder, shape, &extent, face))
+        carriers->num_shared++;
+    else if (!add_quadric(builder, &shape->quadric, &extent, alone, face))
+        return false;
+    struct csg_box *box = &carriers->quadric_boxes[face->carrier];
+    const struct csg_box own = csg_leaf_box(&builder->scene->leaves[leaf]);
+    *box = csg_box_union(box, &own);
+    carriers->sheets[leaf] = carrier_sheet(shape, &carriers->quadrics[face->carrier]);
+    return true;
+}
+
+struct ranked_leaf {
+    double radius;
+    uint32_t leaf;
+};
+
+struct ranked_leaves {
+    struct ranked_leaf *data;
+    size_t num, capacity;
+};
+
+static int compare_ranked(const void *a, const void *b)
+{
+    const struct ranked_leaf *x = a, *y = b;
+    if (x->radius != y->radius)
+        return x->radius > y->radius ? -1 : 1;
+    return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
+}
+
+static bool rank_object(struct ranked_leaves *ranked, const struct csgcast_scene *scene,
+                        const struct csg_object *object, bool *assigned)
+{
+    const struct csg_tree *tree = &scene->trees[object->layer];
+    bool ok = true;
+    for (uint32_t i = object->begin; i < object->end && ok; i++) {
+        const uint32_t leaf = tree->data[i].leaf;
+        if (tree->data[i].op != CSG_LEAF || assigned[leaf])
+            continue;
+        assigned[leaf] = true;
+        const struct extent extent = leaf_extent(&scene->leaves[leaf]);
+        ok = csg_array_push(ranked, ((struct ranked_leaf){extent.radius, leaf}));
+    }
+    return ok;
+}
+
+/* The objects' leaves that have no carriers yet, the largest first: its faces are the least turned
+ * by rounding, so they become the carriers. A leaf can be in two layers; its first object counts. */
+static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool *assigned)
+{
+    struct ranked_leaves ranked = {0};
+    bool ok = true;
+    for (size_t i = first; i < last && ok; i++)
+        ok = rank_object(&ranked, builder->scene, &builder->scene->objects->data[i], assigned);
+    if (ranked.num)
+        qsort(ranked.data, ranked.num, sizeof *ranked.data, compare_ranked);
+    builder->leaves.num = 0;
+    for (size_t i = 0; i < ranked.num && ok; i++)
+        ok = csg_array_push(&builder->leaves, ranked.data[i].leaf);
+    free(ranked.data);
+    return ok;
+}
+
+/* Where the faces are hashed: the finite part of the scene, and how far two matching faces can differ
+ * there at most. */
+static bool start_index(struct builder *builder)
+{
+    struct csg_box box = csg_box_empty;
+    for (size_t i = 0; i < builder->leaves.num; i++) {
+        const struct csg_box leaf =
+            csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i]]);
+        if (csg_box_is_finite(&leaf))
+            box = csg_box_union(&box, &leaf);
+    }
+    const bool empty = csg_box_is_empty(&box);
+    const struct csg_vec3 center = empty ? csg_vec3(0, 0, 0)
+                                         : csg_scale(0.5, csg_add(box.lo, box.hi));
+    const double radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    double slack = 0;
+    for (size_t i = 0; i < builder->leaves.num; i++) {
+        const struct extent extent =
+            leaf_extent(&builder->scene->leaves[builder->leaves.data[i]]);
+        const double length = 2 * tolerance(&extent, extent.rounding);
+        slack = fmax(slack, length * (1 + fmin(radius / extent.radius, MAX_LEVER)));
+    }
+    return csg_index_start(&builder->index, center, radius, slack);
+}
+
+/* Objects [first, last): coincidence is looked for among all their leaves. */
+static bool assign_objects(struct builder *builder, size_t first, size_t last, bool *assigned)
+{
+    if (!rank_leaves(builder, first, last, assigned))
+        return false;
+    const bool alone = builder->leaves.num == 1;
+    if (!alone && !start_index(builder))
+        return false;
+    for (size_t i = 0; i < builder->leaves.num; i++)
+        if (!assign_leaf(builder, builder->leaves.data[i], alone))
+            return false;
+    return true;
+}
+
+/* Flush faces of different objects share carriers too, so that the depth buffer sees equal depths
+ * and the first object wins everywhere; in huge scenes that is not worth its time. */
+static bool assign_all(struct builder *builder, bool *assigned)
+{
+    const size_t num = builder->scene->objects->num;
+    if (builder->scene->num_leaves <= CSG_SHARED_MAX_LEAVES)
+        return assign_objects(builder, 0, num, assigned);
+    for (size_t i = 0; i < num; i++)
+        if (!assign_objects(builder, i, i + 1, assigned))
+            return false;
+    return true;
+}
+
+static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *scene)
+{
+    const size_t num = scene->num_leaves;
+    carriers->face_begin = malloc((num + 1) * sizeof *carriers->face_begin);
+    if (!carriers->face_begin)
+        return false;
+    uint32_t total = 0;
+    for (size_t i = 0; i < num; i++) {
+        carriers->face_begin[i] = total;
+        total += (uint32_t)scene->leaves[i].shape.num_planes;
+    }
+    carriers->face_begin[num] = total;
+    carriers->faces = calloc(total + 1, sizeof *carriers->faces);
+    carriers->quadric_faces = malloc((num + 1) * sizeof *carriers->quadric_faces);
+    carriers->sheets = calloc(num + 1, sizeof *carriers->sheets);
+    if (!carriers->faces || !carriers->quadric_faces || !carriers->sheets)
+        return false;
+    for (size_t i = 0; i < num; i++)
+        carriers->quadric_faces[i] = (struct csg_face){CSG_NO_CARRIER, false};
+    return true;
+}
+
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
+{
+    struct builder builder = {.scene = scene, .carriers = calloc(1, sizeof *builder.carriers)};
+    bool *assigned = calloc(scene->num_leaves + 1, sizeof *assigned);
+    const bool ok = builder.carriers && assigned && allocate(builder.carriers, scene) &&
+                    assign_all(&builder, assigned);
+    csg_index_finish(&builder.index);
+    free(builder.plane_rounding.data);
+    free(builder.quadric_rounding.data);
+    free(builder.leaves.data);
+    free(assigned);
+    if (ok)
+        return builder.carriers;
+    csg_carriers_destroy(builder.carriers);
+    return NULL;
+}
+
+void csg_carriers_destroy(struct csg_carriers *carriers)
+{
+    if (!carriers)
+        return;
+    free(carriers->planes);
+    free(carriers->quadrics);
+    free(carriers->quadric_boxes);
+    free(carriers->face_begin);
+    free(carriers->faces);
+    free(carriers->quadric_faces);
+    free(carriers->sheets);
+    free(carriers);
+}

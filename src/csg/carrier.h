@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_CARRIER_H
+#define CSG_CSG_CARRIER_H
+
+/*
+ * Carriers: the distinct planes and quadrics of a scene. Faces that coincide share one carrier,
+ * so every program computes their crossings from the same numbers and gets the same bits; equal
+ * crossings then are one event, and flush cuts, touching solids and equal solids come out as the
+ * regularised Boolean has them (docs/coincidence.md).
+ */
+
+#include <stdint.h>
+
+#include "csg/scene.h"
+
+/* A leaf's face on a carrier: carrier index and whether the leaf's inside is the other side. */
+struct csg_face {
+    uint32_t carrier;
+    bool flipped; /* plane: the leaf's normal is the carrier's, negated; quadric: inside is f >= 0 */
+};
+
+struct csg_carriers {
+    struct csg_plane *planes;
+    struct csg_quadric *quadrics;
+    size_t num_planes, num_quadrics;
+    size_t planes_capacity, quadrics_capacity;
+    struct csg_box *quadric_boxes; /* of all the leaves on the carrier, world space */
+    size_t quadric_boxes_capacity, num_quadric_boxes;
+    size_t num_shared; /* faces that found an earlier face's carrier */
+
+    uint32_t *face_begin;    /* num_leaves + 1: leaf's plane faces in faces[] */
+    struct csg_face *faces;  /* of planes, in the order of the leaf's shape */
+    struct csg_face *quadric_faces; /* per leaf; carrier CSG_NO_CARRIER where it has none */
+    int8_t *sheets;          /* per leaf: shape.sheet, in the carrier's canonical space */
+};
+
+#define CSG_NO_CARRIER UINT32_MAX
+
+/*
+ * Two faces coincide when, over the later leaf's bounds, they are nowhere further apart than both
+ * leaves' rounding together plus this share of the coordinates' size: noise of the double
+ * arithmetic that placed them (about 1e-15 per operation), with three digits to spare.
+ */
+#define CSG_COINCIDENT_RELATIVE 1e-11
+
+/* Scenes with more leaves look for coincidence within each object only. */
+#define CSG_SHARED_MAX_LEAVES 250000
+
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene);
+void csg_carriers_destroy(struct csg_carriers *carriers);
+
+#endif

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/object.h"
+
+#include <stdlib.h>
+
+struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
+{
+    return csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+}
+
+static struct csg_box node_box(const struct csg_tree *tree, const struct csg_box *boxes,
+                               uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    struct csg_box box = node->op == CSG_OR ? csg_box_empty : csg_box_all;
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
+        box = node->op == CSG_OR ? csg_box_union(&box, &boxes[child])
+                                 : csg_box_intersection(&box, &boxes[child]);
+    return box;
+}
+
+void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                    struct csg_box *boxes)
+{
+    for (size_t i = tree->num; i-- > 0;) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op != CSG_LEAF)
+            boxes[i] = node_box(tree, boxes, (uint32_t)i);
+        else
+            boxes[i] = node->negated ? csg_box_all : csg_leaf_box(&scene->leaves[node->leaf]);
+    }
+}
+
+/* Solids have volume: boxes that merely touch have nothing in common. */
+static bool is_disjoint(const struct csg_box *a, const struct csg_box *b)
+{
+    const struct csg_box common = csg_box_intersection(a, b);
+    return !(common.lo.x < common.hi.x && common.lo.y < common.hi.y && common.lo.z < common.hi.z);
+}
+
+/* Walks down with the box in which a node matters and marks the leaves that do not. */
+static void mark_irrelevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                            const struct csg_box *boxes, struct csg_box *contexts, bool *drop)
+{
+    contexts[0] = boxes[0];
+    for (uint32_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF) {
+            const struct csg_box box = csg_leaf_box(&scene->leaves[node->leaf]);
+            drop[node->leaf] = is_disjoint(&box, &contexts[i]);
+            continue;
+        }
+        const struct csg_box inside = csg_box_intersection(&contexts[i], &boxes[i]);
+        for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
+            contexts[child] = inside;
+    }
+}
+
+bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
+{
+    if (tree->num == 0)
+        return true;
+    struct csg_box *boxes = malloc(2 * tree->num * sizeof *boxes);
+    bool *drop = calloc(scene->num_leaves + 1, sizeof *drop);
+    bool ok = boxes && drop;
+    if (ok) {
+        csg_tree_boxes(scene, tree, boxes);
+        mark_irrelevant(scene, tree, boxes, boxes + tree->num, drop);
+        ok = csg_tree_simplify(tree, drop);
+    }
+    free(boxes);
+    free(drop);
+    return ok;
+}
+
+static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
+                        struct csg_objects *objects)
+{
+    const struct csg_tree *tree = &scene->trees[layer];
+    struct csg_box *boxes = malloc((tree->num + 1) * sizeof *boxes);
+    if (!boxes)
+        return false;
+    csg_tree_boxes(scene, tree, boxes);
+    const bool is_union = tree->num && tree->data[0].op == CSG_OR;
+    bool ok = true;
+    for (uint32_t i = is_union ? 1 : 0; i < tree->num && ok; i = tree->data[i].end) {
+        const struct csg_object object = {layer, i, tree->data[i].end, boxes[i]};
+        ok = csg_array_push(objects, object);
+    }
+    free(boxes);
+    return ok;
+}
+
+bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects)
+{
+    for (uint8_t layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        if (!split_layer(scene, layer, objects))
+            return false;
+    return true;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_OBJECT_H
+#define CSG_CSG_OBJECT_H
+
+/* Objects: the operands of the outermost union. Each is drawn by itself; the depth buffer unites. */
+
+#include "csg/scene.h"
+
+struct csg_object {
+    uint8_t layer;        /* enum csg_layer */
+    uint32_t begin, end;  /* nodes of scene->trees[layer] */
+    struct csg_box box;   /* of the Boolean result, conservative */
+};
+
+struct csg_objects {
+    struct csg_object *data;
+    size_t num, capacity;
+};
+
+/* Splits the simplified trees. false: out of memory. */
+bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects);
+
+/* The box of one leaf in world space. */
+struct csg_box csg_leaf_box(const struct csg_leaf *leaf);
+
+/*
+ * Conservative boxes of every node's set: a union's box holds its operands' boxes, an
+ * intersection's is their common part, a complement has no bounds. boxes has tree->num entries.
+ */
+void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                    struct csg_box *boxes);
+
+/* Leaves out of the tree what boxes show to be irrelevant: operands of an intersection that miss
+ * it, subtrahends outside of their minuend. false: out of memory. */
+bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree);
+
+#endif

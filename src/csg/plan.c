@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/program.h"
+
+#include <stdlib.h>
+
+static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
+{
+    const struct csg_objects *objects = scene->objects;
+    plan->begin = malloc((objects->num + 1) * sizeof *plan->begin);
+    if (!plan->begin)
+        return false;
+    for (size_t i = 0; i < objects->num; i++) {
+        const struct csg_object *object = &objects->data[i];
+        plan->begin[i] = (uint32_t)plan->program.num;
+        if (!csg_program_append(&plan->program, scene, &scene->trees[object->layer],
+                                object->begin))
+            return false;
+    }
+    plan->begin[objects->num] = (uint32_t)plan->program.num;
+    return true;
+}
+
+struct csg_plan *csg_plan_create(const struct csgcast_scene *scene)
+{
+    struct csg_plan *plan = calloc(1, sizeof *plan);
+    if (plan && fill(plan, scene))
+        return plan;
+    csg_plan_destroy(plan);
+    return NULL;
+}
+
+void csg_plan_destroy(struct csg_plan *plan)
+{
+    if (!plan)
+        return;
+    free(plan->program.data);
+    free(plan->begin);
+    free(plan);
+}

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/program.h"
+
+#include <stdlib.h>
+
+/* Work that is still to do: run a subtree, or combine with the stack. */
+struct task {
+    uint32_t node;
+    uint32_t flags; /* of the subtree's first step, or CSG_RECORD_POP */
+};
+
+struct compiler {
+    const struct csgcast_scene *scene;
+    const struct csg_tree *tree;
+    uint32_t begin;
+    uint8_t *needs; /* stack entries that a subtree needs, from begin on */
+    CSG_ARRAY(struct task) tasks;
+    struct csg_program *program;
+};
+
+static uint32_t deepest_child(const struct compiler *compiler, uint32_t node)
+{
+    const struct csg_node *nodes = compiler->tree->data;
+    uint32_t deepest = node + 1;
+    for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end)
+        if (compiler->needs[child - compiler->begin] > compiler->needs[deepest - compiler->begin])
+            deepest = child;
+    return deepest;
+}
+
+static uint8_t stack_need(const struct compiler *compiler, uint32_t node)
+{
+    const struct csg_node *nodes = compiler->tree->data;
+    if (nodes[node].op == CSG_LEAF || nodes[node].end == node + 1)
+        return 0;
+    const uint32_t first = deepest_child(compiler, node);
+    uint8_t need = compiler->needs[first - compiler->begin];
+    for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end) {
+        if (child == first || nodes[child].op == CSG_LEAF)
+            continue;
+        const uint8_t own = (uint8_t)(compiler->needs[child - compiler->begin] + 1);
+        need = own > need ? own : need;
+    }
+    return need;
+}
+
+static bool push_task(struct compiler *compiler, uint32_t node, uint32_t flags)
+{
+    return csg_array_push(&compiler->tasks, ((struct task){node, flags}));
+}
+
+/* Tasks run last in, first out: the operand that comes first is pushed last. */
+static bool expand(struct compiler *compiler, struct task task)
+{
+    const struct csg_node *nodes = compiler->tree->data;
+    const uint32_t op = nodes[task.node].op == CSG_AND ? CSG_RECORD_AND : 0;
+    const uint32_t first = deepest_child(compiler, task.node);
+    for (uint32_t child = task.node + 1; child < nodes[task.node].end; child = nodes[child].end) {
+        if (child == first)
+            continue;
+        if (nodes[child].op == CSG_LEAF) {
+            if (!push_task(compiler, child, op))
+                return false;
+        } else if (!push_task(compiler, child, op | CSG_RECORD_POP) ||
+                   !push_task(compiler, child, CSG_RECORD_START | CSG_RECORD_PUSH)) {
+            return false;
+        }
+    }
+    return push_task(compiler, first, task.flags);
+}
+
+static bool emit_leaf(struct compiler *compiler, struct task task)
+{
+    const struct csg_node *node = &compiler->tree->data[task.node];
+    const struct csg_shape *shape = &compiler->scene->leaves[node->leaf].shape;
+    uint32_t flags = task.flags;
+    flags |= node->negated ? CSG_RECORD_NEGATED : 0;
+    flags |= shape->has_quadric ? CSG_RECORD_QUADRIC : 0;
+    flags |= shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0;
+    return csg_array_push(compiler->program, ((struct csg_step){node->leaf, flags}));
+}
+
+static bool run(struct compiler *compiler)
+{
+    if (!push_task(compiler, compiler->begin, CSG_RECORD_START))
+        return false;
+    while (compiler->tasks.num) {
+        const struct task task = compiler->tasks.data[--compiler->tasks.num];
+        const struct csg_node *node = &compiler->tree->data[task.node];
+        bool ok;
+        if (task.flags & CSG_RECORD_POP)
+            ok = csg_array_push(compiler->program, ((struct csg_step){0, task.flags}));
+        else if (node->op == CSG_LEAF)
+            ok = emit_leaf(compiler, task);
+        else
+            ok = expand(compiler, task);
+        if (!ok)
+            return false;
+    }
+    return true;
+}
+
+bool csg_program_append(struct csg_program *program, const struct csgcast_scene *scene,
+                        const struct csg_tree *tree, uint32_t begin)
+{
+    const uint32_t end = tree->data[begin].end;
+    /* All space has no surface to see, hence no steps. */
+    if (tree->data[begin].op != CSG_LEAF && end == begin + 1)
+        return true;
+    struct compiler compiler = {.scene = scene, .tree = tree, .begin = begin, .program = program};
+    compiler.needs = calloc(end - begin, 1);
+    if (!compiler.needs)
+        return false;
+    for (uint32_t node = end; node-- > begin;)
+        compiler.needs[node - begin] = stack_need(&compiler, node);
+    const bool ok = run(&compiler);
+    free(compiler.tasks.data);
+    free(compiler.needs);
+    return ok;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_PROGRAM_H
+#define CSG_CSG_PROGRAM_H
+
+/*
+ * A tree as steps of a machine with one accumulator and a stack (shaders/csg/program.glsl). Of a
+ * node's operands the one that needs the deepest stack comes first and works in the accumulator
+ * itself, so the stack holds at most log2(leaves) operands (Sethi and Ullman 1970).
+ */
+
+#include "common/layout.glsl"
+#include "csg/object.h"
+
+struct csg_step {
+    uint32_t leaf;  /* unused by POP */
+    uint32_t flags; /* CSG_RECORD_... */
+};
+
+struct csg_program {
+    struct csg_step *data;
+    size_t num, capacity;
+};
+
+/* Appends the steps of the subtree at nodes [begin, end) of tree. false: out of memory. */
+bool csg_program_append(struct csg_program *program, const struct csgcast_scene *scene,
+                        const struct csg_tree *tree, uint32_t begin);
+
+/* The steps of all objects of a scene. */
+struct csg_plan {
+    struct csg_program program;
+    uint32_t *begin; /* per object: its first step; one more at the end */
+};
+
+/* NULL: out of memory. */
+struct csg_plan *csg_plan_create(const struct csgcast_scene *scene);
+void csg_plan_destroy(struct csg_plan *plan);
+
+#endif

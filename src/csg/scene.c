@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "csg/carrier.h"
+#include "csg/object.h"
+#include "csg/program.h"
+
+struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)
+{
+    struct csgcast_scene *scene = calloc(1, sizeof *scene);
+    const size_t size = strlen(name) + 1;
+    char *copy = malloc(size);
+    if (!scene || !copy) {
+        free(scene);
+        free(copy);
+        csg_log_memory(log);
+        return NULL;
+    }
+    memcpy(copy, name, size);
+    scene->log = *log;
+    scene->name = copy;
+    return scene;
+}
+
+void csgcast_scene_destroy(struct csgcast_scene *scene)
+{
+    if (!scene)
+        return;
+    csg_plan_destroy(scene->plan);
+    csg_carriers_destroy(scene->carriers);
+    if (scene->objects)
+        free(scene->objects->data);
+    free(scene->objects);
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        free(scene->trees[layer].data);
+    for (size_t i = 0; i < scene->num_leaves; i++)
+        csg_shape_finish(&scene->leaves[i].shape);
+    free(scene->leaves);
+    free(scene->name);
+    free(scene);
+}
+
+/* OpenSCAD's viewall frames every solid that is not subtracted, without clipping intersections
+ * (CSGProduct::getBoundingBox, 2021.01), % and # included. Its normaliser drops products whose
+ * boxes do not overlap, as pruning has done here. */
+static void fill_written(struct csgcast_scene *scene)
+{
+    scene->written = csg_box_empty;
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        const struct csg_tree *tree = &scene->trees[layer];
+        for (size_t i = 0; i < tree->num; i++) {
+            if (tree->data[i].op != CSG_LEAF || tree->data[i].negated)
+                continue;
+            const struct csg_shape *shape = &scene->leaves[tree->data[i].leaf].shape;
+            const struct csg_box box = csg_box_map(&shape->frame, &shape->written);
+            if (csg_box_is_finite(&box))
+                scene->written = csg_box_union(&scene->written, &box);
+        }
+    }
+}
+
+static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
+{
+    size_t counts[CSG_NUM_KINDS] = {0};
+    struct csgcast_scene_info *info = &scene->info;
+    *num_drawn = 0;
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        const struct csg_tree *tree = &scene->trees[layer];
+        for (size_t i = 0; i < tree->num; i++) {
+            if (tree->data[i].op != CSG_LEAF)
+                continue;
+            const struct csg_leaf *leaf = &scene->leaves[tree->data[i].leaf];
+            info->num_highlighted += layer == CSG_LAYER_HIGHLIGHT;
+            info->num_background += layer == CSG_LAYER_BACKGROUND;
+            if (layer == CSG_LAYER_HIGHLIGHT)
+                continue; /* drawn a second time, or counted as dropped */
+            counts[leaf->kind]++;
+            (*num_drawn)++;
+            info->num_facetted += leaf->shape.facetted;
+            info->num_exact += leaf->shape.has_quadric;
+            info->max_crossings += leaf->shape.has_quadric && !leaf->shape.convex ? 4 : 2;
+        }
+    }
+    for (size_t kind = 0; kind < CSG_NUM_KINDS; kind++)
+        if (counts[kind])
+            scene->kinds[info->num_kinds++] =
+                (struct csgcast_kind_count){csg_solids[kind]->name, counts[kind]};
+    info->kinds = scene->kinds;
+}
+
+static bool fill_info(struct csgcast_scene *scene)
+{
+    struct csgcast_scene_info *info = &scene->info;
+    size_t num_drawn;
+    bool out_of_memory = false;
+    count_leaves(scene, &num_drawn);
+    info->num_leaves = num_drawn;
+    info->num_dropped = scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
+    info->num_objects = scene->objects->num;
+    info->num_planes = scene->carriers->num_planes;
+    info->num_quadrics = scene->carriers->num_quadrics;
+    info->num_shared = scene->carriers->num_shared;
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        for (size_t i = 0; i < scene->trees[layer].num; i++)
+            info->num_nodes += scene->trees[layer].data[i].op != CSG_LEAF;
+    info->depth = csg_tree_depth(&scene->trees[CSG_LAYER_MODEL], &out_of_memory);
+    return !out_of_memory;
+}
+
+static void fill_box(struct csgcast_scene *scene)
+{
+    scene->box = csg_box_empty;
+    for (size_t i = 0; i < scene->objects->num; i++)
+        if (scene->objects->data[i].layer == CSG_LAYER_MODEL)
+            scene->box = csg_box_union(&scene->box, &scene->objects->data[i].box);
+}
+
+static bool finish(struct csgcast_scene *scene)
+{
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        if (!csg_tree_simplify(&scene->trees[layer], NULL))
+            return false;
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        if (!csg_tree_prune(scene, &scene->trees[layer]))
+            return false;
+    fill_written(scene);
+    scene->objects = calloc(1, sizeof *scene->objects);
+    if (!scene->objects || !csg_objects_split(scene, scene->objects))
+        return false;
+    scene->carriers = csg_carriers_create(scene);
+    scene->plan = csg_plan_create(scene);
+    if (!scene->carriers || !scene->plan)
+        return false;
+    fill_box(scene);
+    return fill_info(scene);
+}
+
+bool csg_scene_finish(struct csgcast_scene *scene)
+{
+    return finish(scene) || csg_log_memory(&scene->log);
+}
+
+void csgcast_scene_get_info(const struct csgcast_scene *scene, struct csgcast_scene_info *info)
+{
+    *info = scene->info;
+}
+
+bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, double lo[3], double hi[3])
+{
+    const struct csg_box *box = &scene->box;
+    if (csg_box_is_empty(box))
+        return false;
+    lo[0] = box->lo.x, lo[1] = box->lo.y, lo[2] = box->lo.z;
+    hi[0] = box->hi.x, hi[1] = box->hi.y, hi[2] = box->hi.z;
+    return true;
+}

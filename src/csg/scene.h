@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_SCENE_H
+#define CSG_CSG_SCENE_H
+
+/* The scene as built from text (scene/) and finished for rendering (csg/). */
+
+#include "common/log.h"
+#include "csg/tree.h"
+#include "solids/solid.h"
+
+struct csg_leaf {
+    struct csg_shape shape; /* in world space */
+    enum csg_kind kind;
+    float color[4];         /* r g b a as the outermost valid color() says; r < 0: none */
+    uint32_t line, column;  /* of the node in the text */
+};
+
+/* Which of the pictures a tree is part of. */
+enum csg_layer {
+    CSG_LAYER_MODEL,      /* the geometry */
+    CSG_LAYER_BACKGROUND, /* %: not part of the geometry, drawn translucent grey */
+    CSG_LAYER_HIGHLIGHT,  /* #: drawn once more, translucent red */
+    CSG_NUM_LAYERS
+};
+
+struct csg_objects;
+struct csg_carriers;
+struct csg_plan;
+
+struct csgcast_scene {
+    struct csg_log log;
+    char *name;            /* for messages */
+    struct csg_leaf *leaves; /* in file order: the public leaf index */
+    size_t num_leaves, leaves_capacity;
+    struct csg_tree trees[CSG_NUM_LAYERS];
+
+    /* Filled by csg_scene_finish: */
+    struct csg_objects *objects;   /* drawn one by one */
+    struct csg_carriers *carriers; /* distinct surfaces */
+    struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
+    struct csg_box box;            /* of the model */
+    struct csg_box written;        /* what OpenSCAD's viewall frames */
+    struct csgcast_scene_info info;
+    struct csgcast_kind_count kinds[CSG_NUM_KINDS];
+};
+
+/* A zeroed scene with log and name set; NULL, with a message, when memory is out. */
+struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name);
+
+/*
+ * Simplifies the trees, merges coincident carriers, fills box and info: after this the scene is
+ * immutable. leaves[] with an empty shape must not occur: they are left out while building.
+ */
+bool csg_scene_finish(struct csgcast_scene *scene);
+
+#endif

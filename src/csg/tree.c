@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/tree.h"
+
+#include <stdlib.h>
+
+/* What a subtree is once the constants below it are known. */
+enum constant { VARIES, NOTHING, EVERYTHING };
+
+struct fold {
+    uint8_t constant;  /* enum constant */
+    bool single;       /* a Boolean node with one child that varies */
+};
+
+static struct fold fold_leaf(const struct csg_node *node, const bool *drop)
+{
+    if (!drop || !drop[node->leaf])
+        return (struct fold){VARIES, false};
+    return (struct fold){node->negated ? EVERYTHING : NOTHING, false};
+}
+
+/* The neutral constant disappears from a node, the absorbing one decides it. */
+static struct fold fold_node(const struct csg_tree *tree, const struct fold *folds, uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    const uint8_t neutral = node->op == CSG_OR ? NOTHING : EVERYTHING;
+    uint32_t num_varying = 0;
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
+        if (folds[child].constant == VARIES)
+            num_varying++;
+        else if (folds[child].constant != neutral)
+            return (struct fold){folds[child].constant, false};
+    }
+    return (struct fold){num_varying ? VARIES : neutral, num_varying == 1};
+}
+
+/* Nodes of the new tree that are still open, innermost last. */
+struct open_node {
+    uint32_t index;   /* in the new tree */
+    uint32_t old_end; /* in the old one */
+};
+
+struct emitter {
+    struct csg_tree tree;
+    CSG_ARRAY(struct open_node) open;
+};
+
+static void close_nodes(struct emitter *out, uint32_t old_index)
+{
+    while (out->open.num && out->open.data[out->open.num - 1].old_end <= old_index)
+        out->tree.data[out->open.data[--out->open.num].index].end = (uint32_t)out->tree.num;
+}
+
+static bool is_transparent(const struct emitter *out, const struct csg_node *node, bool single)
+{
+    if (node->op == CSG_LEAF)
+        return false;
+    if (single)
+        return true;
+    return out->open.num && out->tree.data[out->open.data[out->open.num - 1].index].op == node->op;
+}
+
+static bool emit(struct emitter *out, const struct csg_node *node)
+{
+    const uint32_t index = (uint32_t)out->tree.num;
+    struct csg_node copy = *node;
+    copy.end = index + 1;
+    if (!csg_array_push(&out->tree, copy))
+        return false;
+    return node->op == CSG_LEAF ||
+           csg_array_push(&out->open, ((struct open_node){index, node->end}));
+}
+
+static bool emit_all(struct emitter *out, const struct csg_tree *tree, const struct fold *folds)
+{
+    for (uint32_t i = 0; i < tree->num;) {
+        const struct csg_node *node = &tree->data[i];
+        close_nodes(out, i);
+        if (folds[i].constant != VARIES) {
+            i = node->end;
+            continue;
+        }
+        if (!is_transparent(out, node, folds[i].single) && !emit(out, node))
+            return false;
+        i++;
+    }
+    close_nodes(out, (uint32_t)tree->num);
+    return true;
+}
+
+/* All space is the one constant that needs a node: AND without children. */
+static bool emit_constant(struct emitter *out, uint8_t constant)
+{
+    const struct csg_node everything = {.op = CSG_AND, .end = 1};
+    return constant == NOTHING || csg_array_push(&out->tree, everything);
+}
+
+bool csg_tree_simplify(struct csg_tree *tree, const bool *drop)
+{
+    if (tree->num == 0)
+        return true;
+    struct fold *folds = calloc(tree->num, sizeof *folds);
+    if (!folds)
+        return false;
+    for (size_t i = tree->num; i-- > 0;)
+        folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], drop)
+                                                : fold_node(tree, folds, (uint32_t)i);
+    struct emitter out = {0};
+    const bool ok = folds[0].constant == VARIES ? emit_all(&out, tree, folds)
+                                                : emit_constant(&out, folds[0].constant);
+    free(folds);
+    free(out.open.data);
+    if (!ok) {
+        free(out.tree.data);
+        return false;
+    }
+    free(tree->data);
+    *tree = out.tree;
+    return true;
+}
+
+size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory)
+{
+    CSG_ARRAY(uint32_t) ends = {0};
+    size_t depth = 0;
+    *out_of_memory = false;
+    for (uint32_t i = 0; i < tree->num && !*out_of_memory; i++) {
+        while (ends.num && ends.data[ends.num - 1] <= i)
+            ends.num--;
+        if (tree->data[i].op == CSG_LEAF)
+            depth = ends.num > depth ? ends.num : depth;
+        else
+            *out_of_memory = !csg_array_push(&ends, tree->data[i].end);
+    }
+    free(ends.data);
+    return depth;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_TREE_H
+#define CSG_CSG_TREE_H
+
+/*
+ * The Boolean tree: n-ary unions (OR) and intersections (AND) over literals, a literal being a
+ * leaf or its complement. A difference a - b - c is AND(a, not b, not c): complements are pushed
+ * to the leaves by De Morgan while the tree is built, which keeps its size.
+ *
+ * Nodes lie in pre-order; the children of node i are i + 1, nodes[i + 1].end, ... below
+ * nodes[i].end. No walk over a tree recurses.
+ */
+
+#include <stdint.h>
+
+#include "common/array.h"
+
+enum csg_op { CSG_LEAF, CSG_OR, CSG_AND };
+
+struct csg_node {
+    uint8_t op;    /* enum csg_op */
+    bool negated;  /* LEAF: the complement of the leaf */
+    uint32_t leaf; /* LEAF: index of the leaf */
+    uint32_t end;  /* one past the last node of this subtree */
+};
+
+/* No nodes: the empty set. OR without children is the empty set, AND without children all space. */
+struct csg_tree {
+    struct csg_node *data;
+    size_t num, capacity;
+};
+
+/*
+ * Replaces the tree by an equal one without constants, nodes of one child and nodes whose parent
+ * has the same op. drop[leaf], where drop is not NULL, marks leaves that are the empty set.
+ * false: out of memory.
+ */
+bool csg_tree_simplify(struct csg_tree *tree, const bool *drop);
+
+/* Levels of Boolean nodes; 0 for one leaf. */
+size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory);
+
+#endif

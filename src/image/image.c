@@ -1,0 +1,465 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* dladdr */
+#endif
+
+#include <ctype.h>
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "common/log.h"
+#include "image/module.h"
+
+#ifndef CSGCAST_MODULE_DIR
+#define CSGCAST_MODULE_DIR "/usr/local/lib/csgcast"
+#endif
+
+#define MODULE_NAME "csgcast-image.so"
+
+enum {
+    MAX_FORMAT = 16,       /* characters of an extension, with its end */
+    MAX_TEMPORARIES = 100, /* names tried before giving up */
+    MAX_CHANNELS = 9,      /* R G B A Z N.X N.Y N.Z id */
+};
+
+/* ---- the module ---- */
+
+/* The folder of the file that this text is in: the library, or a program it is linked into. */
+static bool find_own_folder(char folder[PATH_MAX])
+{
+    Dl_info info;
+    const int found = dladdr((const void *)MODULE_NAME, &info);
+    if (found && info.dli_fname && strchr(info.dli_fname, '/')) {
+        snprintf(folder, PATH_MAX, "%s", info.dli_fname);
+    } else {
+        const ssize_t length = readlink("/proc/self/exe", folder, PATH_MAX - 1);
+        if (length < 0)
+            return false;
+        folder[length] = '\0';
+    }
+    char *slash = strrchr(folder, '/');
+    if (slash)
+        *slash = '\0';
+    return slash != NULL;
+}
+
+/* The reason is left for dlerror where the file is there but does not load. */
+static void *open_module_in(const char *folder, const char *below)
+{
+    char path[PATH_MAX + 64];
+    snprintf(path, sizeof path, "%s%s/" MODULE_NAME, folder, below);
+    return access(path, F_OK) == 0 ? dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) : NULL;
+}
+
+/* OpenImageIO's threads do not survive dlclose, so the module stays loaded. */
+static void *open_module(void)
+{
+    char folder[PATH_MAX];
+    const char *chosen = getenv("CSGCAST_IMAGE_MODULE");
+    if (chosen && *chosen)
+        return dlopen(chosen, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    void *module = NULL;
+    dlerror();
+    if (find_own_folder(folder)) {
+        module = open_module_in(folder, "");
+        if (!module)
+            module = open_module_in(folder, "/csgcast");
+    }
+    return module ? module : open_module_in(CSGCAST_MODULE_DIR, "");
+}
+
+static csg_image_module_write_fn *find_write(void *module)
+{
+    csg_image_module_write_fn *write_file = NULL;
+    void *const address = module ? dlsym(module, CSG_IMAGE_MODULE_WRITE_NAME) : NULL;
+    memcpy(&write_file, &address, sizeof write_file);
+    return write_file;
+}
+
+static bool write_with_module(const struct csg_image_file *file, struct csg_image_error *error)
+{
+    void *const module = open_module();
+    csg_image_module_write_fn *const write_file = find_write(module);
+    bool ok = false;
+    if (write_file) {
+        ok = write_file(file, error);
+    } else {
+        const char *reason = dlerror();
+        snprintf(error->text, sizeof error->text,
+                 "cannot load " MODULE_NAME " (%.300s); install libopenimageio2.4 and csgcast, or "
+                 "set CSGCAST_IMAGE_MODULE",
+                 reason ? reason : "it is neither beside the library nor in " CSGCAST_MODULE_DIR);
+    }
+    if (module)
+        dlclose(module);
+    return ok;
+}
+
+/* ---- loading ahead ---- */
+
+#if defined(__GLIBC__)
+
+/*
+ * What C++ compilers call for a thread_local destructor; C has no name for it. exit runs these of
+ * its thread before all exit handlers. That is the one moment to wait for the loading thread: once
+ * the handlers of half-loaded libraries run while others are still being set up, the process dies.
+ */
+extern int __cxa_thread_atexit_impl(void (*function)(void *), void *argument, void *library);
+extern void *__dso_handle;
+
+struct preload {
+    pthread_t thread;
+    pid_t process; /* a child made by fork has no such thread */
+};
+
+static void finish_preload(void *argument)
+{
+    struct preload *preload = argument;
+    if (preload->process == getpid())
+        pthread_join(preload->thread, NULL);
+    free(preload);
+}
+
+/* Needs no result: dlopen makes csgcast_image_write wait for this one, or finds it done. */
+static void *run_preload(void *unused)
+{
+    void *const module = open_module();
+    if (module)
+        dlclose(module);
+    return unused;
+}
+
+static void start_preload(void)
+{
+    sigset_t all, previous;
+    struct preload *preload = malloc(sizeof *preload);
+    if (!preload)
+        return;
+    preload->process = getpid();
+    sigfillset(&all); /* the program's signals are no business of this thread */
+    pthread_sigmask(SIG_SETMASK, &all, &previous);
+    if (pthread_create(&preload->thread, NULL, run_preload, NULL) == 0)
+        __cxa_thread_atexit_impl(finish_preload, preload, &__dso_handle);
+    else
+        free(preload);
+    pthread_sigmask(SIG_SETMASK, &previous, NULL);
+}
+
+void csgcast_image_preload(void)
+{
+    static pthread_once_t once = PTHREAD_ONCE_INIT; /* the module is the process's as well */
+    pthread_once(&once, start_preload);
+}
+
+#else
+
+void csgcast_image_preload(void)
+{
+}
+
+#endif
+
+/* ---- where the bytes go ---- */
+
+struct destination {
+    const char *path; /* as the caller names it, for messages */
+    const struct csg_log *log;
+    char target[PATH_MAX];         /* renamed to; empty: a stream */
+    char temporary[PATH_MAX + 64]; /* encoded to; empty when there is none */
+    int stream;                    /* file descriptor to copy to, or -1 */
+    mode_t mode;                   /* of a file that is replaced; 0: a new one */
+};
+
+static bool fail(const struct destination *to, const char *reason)
+{
+    csg_log_error(to->log, CSGCAST_MESSAGE_FILE, "%s: %s", to->path, reason);
+    return false;
+}
+
+/* A device or pipe is written to: a rename would replace it by a file. */
+static bool open_stream(struct destination *to)
+{
+    to->stream = open(to->path, O_WRONLY | O_CLOEXEC);
+    return to->stream >= 0 || fail(to, strerror(errno));
+}
+
+static bool find_existing(struct destination *to, const struct stat *status)
+{
+    if (S_ISDIR(status->st_mode))
+        return fail(to, "is a directory");
+    if (!S_ISREG(status->st_mode))
+        return open_stream(to);
+    if (access(to->path, W_OK) != 0 || !realpath(to->path, to->target))
+        return fail(to, strerror(errno));
+    to->mode = status->st_mode & 0777;
+    return true;
+}
+
+static bool find_target(struct destination *to)
+{
+    struct stat status;
+    if (!strcmp(to->path, "-")) {
+        to->stream = STDOUT_FILENO;
+        return true;
+    }
+    if (stat(to->path, &status) == 0)
+        return find_existing(to, &status);
+    if (errno != ENOENT)
+        return fail(to, strerror(errno));
+    if (strlen(to->path) >= sizeof to->target)
+        return fail(to, strerror(ENAMETOOLONG));
+    strcpy(to->target, to->path);
+    return true;
+}
+
+/* The folder of the target, whose file system the rename needs; any for a stream. */
+static void find_folder(const struct destination *to, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(to->target, '/');
+    const char *temporary = getenv("TMPDIR");
+    if (!to->target[0])
+        snprintf(folder, PATH_MAX, "%s", temporary && *temporary ? temporary : "/tmp");
+    else if (slash)
+        snprintf(folder, PATH_MAX, "%.*s/", (int)(slash - to->target), to->target);
+    else
+        strcpy(folder, ".");
+}
+
+/* Keeps the extension: some formats go by it. */
+static bool make_temporary(struct destination *to, const char *format)
+{
+    char folder[PATH_MAX];
+    find_folder(to, folder);
+    const mode_t mode = to->target[0] ? 0666 : 0600; /* less what umask takes away */
+    int file = -1;
+    for (int i = 0; i < MAX_TEMPORARIES && file < 0; i++) {
+        snprintf(to->temporary, sizeof to->temporary, "%s/.csgcast-%ld-%d.%s", folder,
+                 (long)getpid(), i, format);
+        file = open(to->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (file < 0 && errno != EEXIST)
+            break;
+    }
+    if (file >= 0) {
+        if (to->mode)
+            fchmod(file, to->mode);
+        close(file);
+        return true;
+    }
+    to->temporary[0] = '\0';
+    csg_log_error(to->log, CSGCAST_MESSAGE_FILE, "%s: cannot create a file in %s: %s", to->path,
+                  folder, strerror(errno));
+    return false;
+}
+
+static bool write_all(int file, const char *bytes, size_t size)
+{
+    while (size > 0) {
+        const ssize_t written = write(file, bytes, size);
+        if (written < 0 && errno != EINTR)
+            return false;
+        bytes += written > 0 ? written : 0;
+        size -= written > 0 ? (size_t)written : 0;
+    }
+    return true;
+}
+
+static bool copy_to_stream(const struct destination *to)
+{
+    char bytes[65536];
+    const int file = open(to->temporary, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0;
+    ssize_t size = 0;
+    while (ok && (size = read(file, bytes, sizeof bytes)) > 0)
+        ok = write_all(to->stream, bytes, (size_t)size);
+    ok = ok && size == 0;
+    if (!ok)
+        fail(to, strerror(errno));
+    if (file >= 0)
+        close(file);
+    return ok;
+}
+
+static bool commit(struct destination *to)
+{
+    if (to->stream >= 0)
+        return copy_to_stream(to);
+    if (rename(to->temporary, to->target) != 0)
+        return fail(to, strerror(errno));
+    to->temporary[0] = '\0';
+    return true;
+}
+
+static void finish(struct destination *to)
+{
+    if (to->temporary[0])
+        unlink(to->temporary);
+    if (to->stream >= 0 && to->stream != STDOUT_FILENO)
+        close(to->stream);
+}
+
+/* ---- what is written ---- */
+
+static bool fail_argument(const struct csg_log *log, const char *path, const char *reason)
+{
+    csg_log_error(log, CSGCAST_MESSAGE_ARGUMENT, "%s: %s", path, reason);
+    return false;
+}
+
+/* format gets the lower-case extension of the path, or the one that params asks for. */
+static bool find_format(const char *path, const struct csgcast_write_params *params,
+                        const struct csg_log *log, char format[MAX_FORMAT])
+{
+    const char *slash = strrchr(path, '/');
+    const char *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    const char *from = params->format ? params->format : dot ? dot + 1 : "";
+    if (!params->format && !strcmp(path, "-"))
+        from = "png";
+    size_t length = 0;
+    for (; from[length] && length < MAX_FORMAT - 1 && isalnum((unsigned char)from[length]); length++)
+        format[length] = (char)tolower((unsigned char)from[length]);
+    format[length] = '\0';
+    return (length > 0 && !from[length]) ||
+           fail_argument(log, path, "the name's extension must tell the format: .png, .exr, ...");
+}
+
+static bool is_one_of(const char *format, const char *const *names)
+{
+    while (*names && strcmp(format, *names))
+        names++;
+    return *names != NULL;
+}
+
+static bool is_exr(const char *format)
+{
+    static const char *const names[] = {"exr", "openexr", "sxr", "mxr", NULL};
+    return is_one_of(format, names);
+}
+
+static bool is_float_format(const char *format)
+{
+    static const char *const names[] = {"hdr", "rgbe", "pfm", NULL};
+    return is_exr(format) || is_one_of(format, names);
+}
+
+static bool has_aov(const struct csgcast_write_params *params)
+{
+    return params->write_z || params->write_normal || params->write_id;
+}
+
+static bool find_bits(const char *path, const char *format,
+                      const struct csgcast_write_params *params, const struct csg_log *log,
+                      int *bits)
+{
+    const int asked = params->bits;
+    *bits = asked ? asked : is_float_format(format) || has_aov(params) ? 32 : 8;
+    if (asked && asked != 8 && asked != 16 && asked != 32)
+        return fail_argument(log, path, "bits per channel are 8, 16 or 32");
+    if (is_exr(format) && *bits != 32)
+        return fail_argument(log, path, "EXR is written with 32 bits per channel, as float");
+    if (has_aov(params) && *bits != 32)
+        return fail_argument(log, path, "Z, N and id need float: EXR or 32-bit TIFF");
+    return true;
+}
+
+static bool check_arguments(const char *path, int width, int height,
+                            const struct csgcast_image *image,
+                            const struct csgcast_write_params *params, const struct csg_log *log)
+{
+    if (!path[0] || width < 1 || height < 1)
+        return fail_argument(log, path, "an image needs a path, a width and a height");
+    if ((params->write_z && !image->z) || (params->write_normal && !image->normal) ||
+        (params->write_id && !image->id))
+        return fail_argument(log, path, "a channel to be written has not been rendered");
+    if (!image->rgba && !has_aov(params))
+        return fail_argument(log, path, "there is no channel to write");
+    for (size_t i = 0; i < params->num_metadata; i++)
+        if (!params->metadata[i].name || !params->metadata[i].name[0] || !params->metadata[i].value)
+            return fail_argument(log, path, "metadata needs a name and a value");
+    return true;
+}
+
+static bool is_opaque(const float *rgba, size_t num_pixels)
+{
+    for (size_t i = 0; i < num_pixels; i++)
+        if (rgba[4 * i + 3] != 1)
+            return false;
+    return true;
+}
+
+/* channels gets num entries that lie side by side in values; returns the count so far. */
+static int add_channels(struct csg_image_channel *channels, int num_before,
+                        const char *const *names, int num, const float *values, size_t stride)
+{
+    for (int i = 0; i < num; i++)
+        channels[num_before + i] = (struct csg_image_channel){names[i], values + i, stride};
+    return num_before + num;
+}
+
+/* Without transparency there is no A, as in OpenSCAD's pictures, but for EXR, which is for tools. */
+static int list_channels(const struct csgcast_image *image, size_t num_pixels, const char *format,
+                         const struct csgcast_write_params *params,
+                         struct csg_image_channel channels[MAX_CHANNELS])
+{
+    static const char *const color[] = {"R", "G", "B", "A"}, *const z[] = {"Z"},
+                             *const normal[] = {"N.X", "N.Y", "N.Z"}, *const id[] = {"id"};
+    const bool keeps_alpha = is_exr(format) || has_aov(params);
+    int num = 0;
+    if (image->rgba)
+        num = add_channels(channels, num, color,
+                           keeps_alpha || !is_opaque(image->rgba, num_pixels) ? 4 : 3, image->rgba,
+                           4);
+    if (params->write_z)
+        num = add_channels(channels, num, z, 1, image->z, 1);
+    if (params->write_normal)
+        num = add_channels(channels, num, normal, 3, image->normal, 3);
+    if (params->write_id)
+        num = add_channels(channels, num, id, 1, image->id, 1);
+    return num;
+}
+
+static bool write_to(struct destination *to, struct csg_image_file *file)
+{
+    struct csg_image_error error = {{0}};
+    if (!find_target(to) || !make_temporary(to, file->format))
+        return false;
+    file->path = to->temporary;
+    if (write_with_module(file, &error))
+        return commit(to);
+    csg_log_error(to->log, CSGCAST_MESSAGE_IMAGE, "%s: %s", to->path, error.text);
+    return false;
+}
+
+bool csgcast_image_write(const char *path, int width, int height,
+                         const struct csgcast_image *image,
+                         const struct csgcast_write_params *params)
+{
+    static const struct csgcast_write_params defaults;
+    params = params ? params : &defaults;
+    const struct csg_log log = {params->log, params->log_user};
+    char format[MAX_FORMAT];
+    struct csg_image_channel channels[MAX_CHANNELS];
+    struct csg_image_file file = {.format = format, .width = width, .height = height,
+                                  .channels = channels, .metadata = params->metadata,
+                                  .num_metadata = params->num_metadata};
+    if (!check_arguments(path, width, height, image, params, &log) ||
+        !find_format(path, params, &log, format) ||
+        !find_bits(path, format, params, &log, &file.bits))
+        return false;
+    file.num_channels =
+        list_channels(image, (size_t)width * (size_t)height, format, params, channels);
+    struct destination to = {.path = path, .log = &log, .stream = -1};
+    const bool ok = write_to(&to, &file);
+    finish(&to);
+    return ok;
+}

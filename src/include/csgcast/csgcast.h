@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSGCAST_CSGCAST_H
+#define CSGCAST_CSGCAST_H
+
+/*
+ * csgcast renders constructive solid geometry exactly, without a mesh.
+ *
+ *     struct csgcast_scene *scene = csgcast_scene_load("part.csg", NULL);
+ *     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+ *     struct csgcast_view view = {.width = 512, .height = 512};
+ *     float rgba[512 * 512 * 4];
+ *     struct csgcast_image image = {.rgba = rgba};
+ *     csgcast_render(renderer, scene, &view, &image);
+ *     csgcast_renderer_destroy(renderer);
+ *     csgcast_scene_destroy(scene);
+ *
+ * Conventions are OpenSCAD's: right-handed, z up, degrees, column vectors. Lengths are in scene
+ * units. Every params struct may be zero-initialised and every params pointer may be NULL: zero
+ * and NULL mean the documented default.
+ *
+ * Failure: functions return NULL or false and report the reason through the log callback (standard
+ * error when there is none). The library never exits, aborts or keeps global state.
+ *
+ * Threads: a scene is immutable while it is rendered and may be read by several renderers at once.
+ * A renderer belongs to one thread at a time. It makes its own context current during a call and
+ * restores what was current before.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CSGCAST_VERSION_MAJOR 0
+#define CSGCAST_VERSION_MINOR 1
+#define CSGCAST_VERSION_PATCH 0
+#define CSGCAST_VERSION_STRING "0.1.0"
+
+#if defined(__GNUC__)
+#define CSGCAST_API __attribute__((visibility("default")))
+#else
+#define CSGCAST_API
+#endif
+
+/* The version of the linked library, "major.minor.patch". Never NULL. */
+CSGCAST_API const char *csgcast_version(void);
+
+/* ---- messages ---------------------------------------------------------------------------- */
+
+enum csgcast_log_level {
+    CSGCAST_LOG_ERROR,
+    CSGCAST_LOG_WARNING,
+    CSGCAST_LOG_INFO,
+};
+
+/* What a message is about, for callers that react to it. The text is for people. */
+enum csgcast_message {
+    CSGCAST_MESSAGE_MEMORY,      /* an allocation failed */
+    CSGCAST_MESSAGE_FILE,        /* a file cannot be read or written */
+    CSGCAST_MESSAGE_SYNTAX,      /* the scene text is malformed; the text starts file:line:column */
+    CSGCAST_MESSAGE_SCENE,       /* a well-formed scene says something wrong; file:line:column */
+    CSGCAST_MESSAGE_UNSUPPORTED, /* a node or feature that this version lacks; file:line:column */
+    CSGCAST_MESSAGE_OPENSCAD,    /* openscad is missing, failed, or printed a warning */
+    CSGCAST_MESSAGE_CONTEXT,     /* no OpenGL context, or a GL error */
+    CSGCAST_MESSAGE_SHADER,      /* a shader does not compile: a bug here or in the driver */
+    CSGCAST_MESSAGE_ARGUMENT,    /* a parameter of a call is out of range */
+    CSGCAST_MESSAGE_IMAGE,       /* an image cannot be encoded or written */
+};
+
+/* text: one message, no newline at its end, valid during the call only. */
+typedef void csgcast_log_fn(void *user, enum csgcast_log_level level, enum csgcast_message id,
+                            const char *text);
+
+/* ---- scenes ------------------------------------------------------------------------------ */
+
+/* What OpenSCAD's facetted circles mean. Default AUTO. */
+enum csgcast_facets {
+    CSGCAST_FACETS_AUTO,       /* explicit $fn of 3 to 12 is a polygon, everything else is exact */
+    CSGCAST_FACETS_EXACT,      /* always the true quadric */
+    CSGCAST_FACETS_AS_WRITTEN, /* OpenSCAD's vertices, as convex polyhedra */
+};
+
+struct csgcast_scene_params {
+    const char *name;            /* file name in messages. NULL: the path, or "<memory>" */
+    enum csgcast_facets facets;  /* default AUTO */
+    bool skip_unsupported;       /* leave unsupported nodes out, with a warning for each */
+    const char *const *defines;  /* num_defines texts "name=value", passed to openscad as -D */
+    size_t num_defines;          /* default 0 */
+    const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
+    csgcast_log_fn *log;         /* NULL: standard error */
+    void *log_user;              /* passed to log */
+};
+
+struct csgcast_scene;
+
+/*
+ * Reads a scene file: .scad is flattened by the installed openscad, everything else is read as
+ * .csg text (docs/scene-format.md). path "-" reads .csg text from standard input. All errors of
+ * the text are logged, each with file:line:column. NULL on error.
+ */
+CSGCAST_API struct csgcast_scene *csgcast_scene_load(const char *path,
+                                                     const struct csgcast_scene_params *params);
+
+/* The same for .csg text in memory. text needs no terminating zero and may be freed afterwards. */
+CSGCAST_API struct csgcast_scene *csgcast_scene_parse(const char *text, size_t size,
+                                                      const struct csgcast_scene_params *params);
+
+CSGCAST_API void csgcast_scene_destroy(struct csgcast_scene *scene);
+
+struct csgcast_kind_count {
+    const char *name; /* as in docs/scene-format.md, e.g. "cylinder"; static */
+    size_t count;     /* leaves of this kind */
+};
+
+struct csgcast_scene_info {
+    size_t num_leaves;      /* solids that take part, highlighted and background ones included */
+    size_t num_nodes;       /* Boolean nodes after simplification */
+    size_t depth;           /* of the simplified Boolean tree; one leaf alone has depth 0 */
+    size_t num_objects;     /* independent union terms, drawn separately */
+    size_t num_planes;      /* distinct plane carriers after coincident ones were merged */
+    size_t num_quadrics;    /* distinct quadric carriers, likewise */
+    size_t num_shared;      /* faces that share another face's carrier: flush, abutting, equal */
+    size_t num_dropped;     /* leaves left out because they are empty or cannot be seen */
+    size_t num_exact;       /* leaves whose curved surface is exact */
+    size_t num_facetted;    /* leaves drawn with OpenSCAD's facets */
+    size_t num_highlighted; /* leaves under # */
+    size_t num_background;  /* leaves under % */
+    size_t max_crossings;   /* most boundary crossings that one ray can have */
+    size_t num_kinds;       /* entries in kinds */
+    const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
+};
+
+CSGCAST_API void csgcast_scene_get_info(const struct csgcast_scene *scene,
+                                        struct csgcast_scene_info *info);
+
+/* Box of the drawn solids in scene units; false when empty. Unbounded directions are infinite. */
+CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, double lo[3],
+                                          double hi[3]);
+
+/* ---- camera and view ---------------------------------------------------------------------- */
+
+enum csgcast_camera_kind {
+    CSGCAST_CAMERA_DEFAULT, /* OpenSCAD's: rotation 55, 0, 25, the whole scene in view */
+    CSGCAST_CAMERA_GIMBAL,  /* translate, rotate, distance */
+    CSGCAST_CAMERA_VECTOR,  /* eye, center */
+};
+
+enum csgcast_projection { CSGCAST_PERSPECTIVE, CSGCAST_ORTHOGRAPHIC };
+
+struct csgcast_camera {
+    enum csgcast_camera_kind kind;
+    double translate[3]; /* GIMBAL: the point looked at */
+    double rotate[3];    /* GIMBAL: degrees, as in --camera=tx,ty,tz,rx,ry,rz,d */
+    double distance;     /* GIMBAL: from eye to the point looked at */
+    double eye[3];       /* VECTOR */
+    double center[3];    /* VECTOR: the point looked at; up is as close to +z as can be */
+    enum csgcast_projection projection; /* default perspective */
+    double fov;          /* vertical, degrees, 0 < fov < 180. 0: 22.5 as OpenSCAD */
+    bool viewall;        /* move the eye so that the whole scene is in view */
+    bool autocenter;     /* with viewall: look at the centre of the scene's box */
+};
+
+/* Whose colour shades a face that a subtracted solid has cut. */
+enum csgcast_cut_color {
+    CSGCAST_CUT_OPENSCAD, /* the subtracted solid's own color(), else the scheme's cut colour */
+    CSGCAST_CUT_MINUEND,  /* the colour of the solid that was cut */
+};
+
+struct csgcast_view {
+    int width, height;            /* pixels, 1 to 16384. 0: 512 */
+    struct csgcast_camera camera;
+    const char *colorscheme;      /* a name of csgcast_colorscheme_name. NULL: "Cornfield" */
+    enum csgcast_cut_color cut_color;
+    const char *variant;          /* resolver: NULL or "auto", or one of csgcast_variant_name */
+};
+
+/* The names of the colour schemes, index 0 the default; NULL past the last. */
+CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
+
+/* The names of the resolvers that can be forced; NULL past the last. */
+CSGCAST_API const char *csgcast_variant_name(size_t index);
+
+/* A camera resolved against a scene: what is rendered. All vectors in scene units. */
+struct csgcast_frustum {
+    double eye[3];
+    double right[3], up[3], forward[3]; /* orthonormal */
+    double half_width, half_height;     /* perspective: at unit distance; orthographic: units */
+    bool orthographic;
+};
+
+/* Resolves defaults, viewall and autocenter. false, with a message, for an impossible camera. */
+CSGCAST_API bool csgcast_view_resolve(const struct csgcast_scene *scene,
+                                      const struct csgcast_view *view,
+                                      struct csgcast_frustum *frustum);
+
+/* ---- rendering ---------------------------------------------------------------------------- */
+
+enum csgcast_backend {
+    CSGCAST_BACKEND_AUTO,      /* EGL where it works, else OSMesa */
+    CSGCAST_BACKEND_EGL,       /* surfaceless or device: no display needed */
+    CSGCAST_BACKEND_OSMESA,    /* software, loaded at run time */
+    CSGCAST_BACKEND_REFERENCE, /* double-precision ray caster in C: no OpenGL, slow, the oracle */
+};
+
+struct csgcast_renderer_params {
+    enum csgcast_backend backend;
+    csgcast_log_fn *log; /* NULL: standard error */
+    void *log_user;
+};
+
+struct csgcast_renderer;
+
+/* NULL, with a message, where the backend is not available. */
+CSGCAST_API struct csgcast_renderer *
+csgcast_renderer_create(const struct csgcast_renderer_params *params);
+CSGCAST_API void csgcast_renderer_destroy(struct csgcast_renderer *renderer);
+
+/* "egl: llvmpipe (LLVM 15, 256 bits), 4.5 core": for people. Lives as long as the renderer. */
+CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *renderer);
+
+/*
+ * The caller's buffers, row 0 on top, tightly packed; a NULL channel is not computed.
+ * A pixel's ray goes through its centre. Where the eye is inside a solid, the first surface seen
+ * is the one through which the ray leaves it.
+ */
+struct csgcast_image {
+    float *rgba;   /* width * height * 4: colour as OpenSCAD shows it, 0 to 1, alpha 1 */
+    float *z;      /* width * height: distance along the view axis, infinity on a miss */
+    float *normal; /* width * height * 3: unit, world space, out of the solid, 0 on a miss */
+    float *id;     /* width * height: index of the visible leaf in file order, -1 on a miss */
+};
+
+/* Blocks until image is filled. false, with a message, on failure: image is then undefined. */
+CSGCAST_API bool csgcast_render(struct csgcast_renderer *renderer,
+                                const struct csgcast_scene *scene,
+                                const struct csgcast_view *view,
+                                const struct csgcast_image *image);
+
+/* What the last csgcast_render of this renderer did. */
+struct csgcast_stats {
+    char variants[256];      /* resolvers used, with the number of objects each drew */
+    size_t texture_bytes;    /* the float texture: parameters and programs */
+    size_t bytes_uploaded;   /* in this frame */
+    size_t programs;         /* shader programs that this renderer has compiled so far */
+    double compile_ms;       /* spent compiling them, of that this frame's part */
+    double cpu_ms;           /* preparing this frame in double precision */
+    double frame_ms;         /* the whole call */
+    size_t objects_drawn;    /* the others are outside the view */
+    size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
+    size_t hit_pixels;       /* pixels that show a solid */
+};
+
+CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
+                                            struct csgcast_stats *stats);
+
+/* ---- image files -------------------------------------------------------------------------- */
+
+struct csgcast_metadata {
+    const char *name, *value;
+};
+
+struct csgcast_write_params {
+    const char *format;  /* "png", "exr", ... NULL: the path's extension */
+    int bits;            /* per channel: 8, 16, or 32 for float. 0: 32 for EXR, HDR, PFM; else 8 */
+    bool write_z, write_normal, write_id; /* float only: channels besides R G B A */
+    const struct csgcast_metadata *metadata; /* num_metadata texts kept in the file */
+    size_t num_metadata;
+    csgcast_log_fn *log; /* NULL: standard error */
+    void *log_user;
+};
+
+/*
+ * Writes image through OpenImageIO, beside the target first and then renamed: never half a file.
+ * path "-" writes to standard output (format is then needed; default "png"), and so does the path
+ * of a device or a pipe. Colour values are written as they are, without conversion; where all of
+ * alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id; without
+ * rgba only those after A. An error where the format cannot hold the bits or channels asked for.
+ * Any thread; OpenImageIO is loaded by the first call.
+ */
+CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
+                                     const struct csgcast_image *image,
+                                     const struct csgcast_write_params *params);
+
+/*
+ * Optional: starts to load OpenImageIO and its 260 shared libraries (about 0.25 s) in a background
+ * thread, so that it overlaps with rendering; csgcast_image_write waits for the rest of it. Any
+ * number of times, from the thread that will end the program: its exit waits for the loading.
+ * Failures show in csgcast_image_write. Does nothing where the C library is not glibc.
+ */
+CSGCAST_API void csgcast_image_preload(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PACK_FRAME_H
+#define CSG_PACK_FRAME_H
+
+/*
+ * Everything the shaders read for one frame: the texels of the float texture (records and
+ * attributes, shaders/common/layout.glsl) and one draw per object in view.
+ */
+
+#include "csg/program.h"
+#include "look/colorscheme.h"
+#include "pack/screen.h"
+
+/* One instance: the vertex shader's attributes. */
+struct csg_instance {
+    float rect[4];     /* clip space */
+    float at[2];       /* reference pixel */
+    int32_t records[2]; /* begin, end in the data texture */
+};
+
+struct csg_draw {
+    struct csg_instance instance;
+    uint32_t object;
+    uint8_t layer;
+    bool translucent;  /* drawn after the opaque objects */
+    bool around_eye;   /* the eye can be inside */
+};
+
+struct csg_frame {
+    struct csg_screen screen;
+    CSG_ARRAY(float) texels; /* four floats each */
+    CSG_ARRAY(struct csg_draw) draws;
+    size_t proxy_pixels;
+};
+
+struct csg_frame_params {
+    const struct csgcast_frustum *frustum;
+    int width, height;
+    const struct csg_colorscheme *scheme;
+    enum csgcast_cut_color cut_color;
+};
+
+/* Refills frame (zeroed before the first use). false: out of memory. */
+bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
+                    const struct csg_frame_params *params);
+void csg_frame_finish(struct csg_frame *frame);
+
+#endif

@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: MIT */
+
+/*
+ * A quadric's crossings as terms of the pixel. With p = P + k W in the quadric's canonical space,
+ *     f = a k^2 + 2 b k + c,   a = W.QW constant, b = W.QP affine, c = P.QP a conic,
+ * so k = -b/a -+ sqrt(S)/|a| with the silhouette conic S = b^2 - a c. For diagonal Q Lagrange's
+ * identity gives S without the difference of large numbers:
+ *     S = -sum over i < j of Q_i Q_j (P_i W_j - P_j W_i)^2.
+ * S is written in its principal axes, S = C0 + C1 y' +- y'^2 +- x'^2, so that float keeps slender
+ * silhouettes, and counted from the leaf's pixel.
+ */
+
+#include "pack/screen.h"
+
+#include <string.h>
+
+/* A crossing further than this many times the leaf's depth away is found as c/q, not q/a: beyond
+ * it the subtraction of mid and sqrt(h) costs more than four bits. */
+#define STIFF_RATIO 16.0
+
+/* Share of its terms below which a has no digits left, and rays meet the surface once. */
+#define DEGENERATE_A 1e-13
+
+/* P at the leaf's pixel, its steps per pixel, and W, in canonical homogeneous coordinates. */
+struct pencil {
+    double q[4];
+    double p[3][4]; /* 0: at the pixel, 1: step in x, 2: step in y */
+    double w[4];
+};
+
+static void set4(double out[4], double s, struct csg_vec3 v, double w)
+{
+    out[0] = s * v.x;
+    out[1] = s * v.y;
+    out[2] = s * v.z;
+    out[3] = s * w;
+}
+
+static struct csg_vec3 at_pixel(struct csg_vec3 base, struct csg_vec3 dx, struct csg_vec3 dy,
+                                struct csg_pixel at)
+{
+    return csg_add(base, csg_add(csg_scale(at.x, dx), csg_scale(at.y, dy)));
+}
+
+static struct pencil pencil_at(const struct csg_screen *screen, struct csg_pixel at,
+                               const struct csg_map *to_canon)
+{
+    struct pencil pencil;
+    const struct csg_vec3 origin =
+        at_pixel(screen->origin, screen->origin_dx, screen->origin_dy, at);
+    const struct csg_vec3 direction =
+        at_pixel(screen->direction, screen->direction_dx, screen->direction_dy, at);
+    const struct csg_vec3 d = csg_map_direction(to_canon, direction);
+    if (screen->orthographic) {
+        const struct csg_vec3 middle = csg_add(origin, csg_scale(screen->a, direction));
+        set4(pencil.p[0], 1, csg_map_point(to_canon, middle), 1);
+        set4(pencil.p[1], 1, csg_map_direction(to_canon, screen->origin_dx), 0);
+        set4(pencil.p[2], 1, csg_map_direction(to_canon, screen->origin_dy), 0);
+        set4(pencil.w, 1, d, 0);
+        return pencil;
+    }
+    const double s = screen->scale, ratio = screen->a / screen->b;
+    if (ratio > 0) { /* s * ratio is 1: P is the point at depth a */
+        const struct csg_vec3 middle = csg_add(origin, csg_scale(1 / ratio, direction));
+        set4(pencil.p[0], s * ratio, csg_map_point(to_canon, middle), 1);
+    } else {
+        set4(pencil.p[0], s, d, 0);
+    }
+    set4(pencil.p[1], s, csg_map_direction(to_canon, screen->direction_dx), 0);
+    set4(pencil.p[2], s, csg_map_direction(to_canon, screen->direction_dy), 0);
+    set4(pencil.w, -s / screen->b, csg_map_point(to_canon, origin), 1);
+    return pencil;
+}
+
+/* (z, w) -> (z + w, z - w) turns 2 linear z w into linear/2 (z + w)^2 - linear/2 (z - w)^2. */
+static void mix(double v[4])
+{
+    const double z = v[2], w = v[3];
+    v[2] = z + w;
+    v[3] = z - w;
+}
+
+static void diagonalise(struct pencil *pencil, const struct csg_quadric *quadric)
+{
+    memcpy(pencil->q, quadric->diag, sizeof pencil->q);
+    if (quadric->linear == 0)
+        return;
+    pencil->q[2] = 0.5 * quadric->linear;
+    pencil->q[3] = -0.5 * quadric->linear;
+    for (int i = 0; i < 3; i++)
+        mix(pencil->p[i]);
+    mix(pencil->w);
+}
+
+static double form(const double q[4], const double x[4], const double y[4])
+{
+    return q[0] * x[0] * y[0] + q[1] * x[1] * y[1] + q[2] * x[2] * y[2] + q[3] * x[3] * y[3];
+}
+
+static double form_size(const double q[4], const double x[4])
+{
+    const double size[4] = {fabs(q[0]), fabs(q[1]), fabs(q[2]), fabs(q[3])};
+    return form(size, x, x);
+}
+
+static double silhouette(const struct pencil *pencil, int i, int j)
+{
+    const double *x = pencil->p[i], *y = pencil->p[j], *w = pencil->w, *q = pencil->q;
+    double sum = 0;
+    for (int k = 0; k < 4; k++)
+        for (int l = k + 1; l < 4; l++)
+            sum -= q[k] * q[l] * (x[k] * w[l] - x[l] * w[k]) * (y[k] * w[l] - y[l] * w[k]);
+    return sum;
+}
+
+/* The quadratic in k, with conics as {1, x, y, xx, xy, yy} around the leaf's pixel. */
+struct quadratic {
+    double a, b[3], c[6], s[6];
+};
+
+static struct quadratic quadratic_of(const struct pencil *pencil, double key_span)
+{
+    static const int index[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+    struct quadratic f = {.a = form(pencil->q, pencil->w, pencil->w)};
+    for (int i = 0; i < 3; i++)
+        f.b[i] = form(pencil->q, pencil->w, pencil->p[i]);
+    const double smallest =
+        DEGENERATE_A * fmax(form_size(pencil->q, pencil->w),
+                            form_size(pencil->q, pencil->p[0]) / (key_span * key_span));
+    const bool degenerate = fabs(f.a) < smallest;
+    if (degenerate) /* one crossing goes to infinity; c's sign decides what is inside */
+        f.a = smallest;
+    for (int n = 0; n < 6; n++) {
+        const int i = index[n][0], j = index[n][1];
+        const double twice = i == j ? 1 : 2;
+        f.c[n] = twice * form(pencil->q, pencil->p[i], pencil->p[j]);
+        f.s[n] = degenerate ? twice * f.b[i] * f.b[j] - f.a * f.c[n]
+                            : twice * silhouette(pencil, i, j);
+    }
+    return f;
+}
+
+/* Principal axes of a conic: x' = sx (ex . d) + ox, y' = sy (ey . d), d from the leaf's pixel. */
+struct axes {
+    double ex[2], ey[2];
+    double sx, sy, ox;
+    double c0, c1;
+    int sign_x, sign_y;
+};
+
+/* Unit eigenvector of the larger eigenvalue, by size, of [xx xy; xy yy]. */
+static void major_axis(double xx, double xy, double yy, double axis[2])
+{
+    const double angle = 0.5 * atan2(2 * xy, xx - yy);
+    axis[0] = cos(angle);
+    axis[1] = sin(angle);
+    const double along = xx * axis[0] * axis[0] + 2 * xy * axis[0] * axis[1] + yy * axis[1] * axis[1];
+    if (fabs(xx + yy - along) > fabs(along)) {
+        const double x = axis[0];
+        axis[0] = -axis[1];
+        axis[1] = x;
+    }
+}
+
+static int sign_of(double value)
+{
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+/* pixels: the leaf's radius on the screen; curvature too weak to show over it is dropped. */
+static struct axes axes_of(const double s[6], double pixels)
+{
+    struct axes axes;
+    const double xx = s[3], xy = 0.5 * s[4], yy = s[5];
+    major_axis(xx, xy, yy, axes.ex);
+    axes.ey[0] = -axes.ex[1];
+    axes.ey[1] = axes.ex[0];
+    const double *ex = axes.ex, *ey = axes.ey;
+    double lx = xx * ex[0] * ex[0] + 2 * xy * ex[0] * ex[1] + yy * ex[1] * ex[1];
+    double ly = xx * ey[0] * ey[0] + 2 * xy * ey[0] * ey[1] + yy * ey[1] * ey[1];
+    const double gx = 0.5 * (s[1] * ex[0] + s[2] * ex[1]);
+    const double gy = 0.5 * (s[1] * ey[0] + s[2] * ey[1]);
+    if (fabs(ly) < 1e-14 * fabs(lx))
+        ly = 0; /* rounding of the products above */
+    axes.sign_x = sign_of(lx);
+    axes.sign_y = sign_of(ly);
+    axes.sx = lx != 0 ? sqrt(fabs(lx)) : 1 / pixels;
+    axes.sy = ly != 0 ? sqrt(fabs(ly)) : 1 / pixels;
+    axes.ox = lx != 0 ? axes.sx * gx / lx : 0;
+    axes.c0 = s[0] - (lx != 0 ? gx * gx / lx : 0);
+    axes.c1 = 2 * gy / axes.sy;
+    return axes;
+}
+
+static float to_float(double value)
+{
+    return (float)fmin(fmax(value, -3e38), 3e38);
+}
+
+/* An affine term c0 + cx x + cy y around the leaf's pixel, moved to the object's. */
+static void put_affine(float texel[4], double c0, double cx, double cy, const double shift[2])
+{
+    texel[0] = to_float(c0 - cx * shift[0] - cy * shift[1]);
+    texel[1] = to_float(cx);
+    texel[2] = to_float(cy);
+}
+
+/* c in the axes' coordinates: d = ex (x' - ox) / sx + ey y' / sy. */
+static void put_conic(float texels[2][4], const double c[6], const struct axes *axes, double scale)
+{
+    const double ux[2] = {axes->ex[0] / axes->sx, axes->ex[1] / axes->sx};
+    const double uy[2] = {axes->ey[0] / axes->sy, axes->ey[1] / axes->sy};
+    const double base[2] = {-axes->ox * ux[0], -axes->ox * ux[1]};
+    const double c0 = c[0] + c[1] * base[0] + c[2] * base[1] + c[3] * base[0] * base[0] +
+                      c[4] * base[0] * base[1] + c[5] * base[1] * base[1];
+    const double grad[2] = {c[1] + 2 * c[3] * base[0] + c[4] * base[1],
+                            c[2] + c[4] * base[0] + 2 * c[5] * base[1]};
+    texels[0][0] = to_float(scale * c0);
+    texels[0][1] = to_float(scale * (grad[0] * ux[0] + grad[1] * ux[1]));
+    texels[0][2] = to_float(scale * (grad[0] * uy[0] + grad[1] * uy[1]));
+    texels[1][0] = to_float(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] +
+                                     c[5] * ux[1] * ux[1]));
+    texels[1][1] = to_float(scale * (2 * c[3] * ux[0] * uy[0] +
+                                     c[4] * (ux[0] * uy[1] + ux[1] * uy[0]) +
+                                     2 * c[5] * ux[1] * uy[1]));
+    texels[1][2] = to_float(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] +
+                                     c[5] * uy[1] * uy[1]));
+}
+
+static int region_code(const struct csg_screen *screen, const struct csg_quadric *quadric,
+                       double a, bool flipped, bool convex, int sheet)
+{
+    if ((a > 0) != flipped)
+        return CSG_QUADRIC_BETWEEN;
+    if (!convex)
+        return CSG_QUADRIC_OUTSIDE;
+    if (sheet == 0)
+        return CSG_QUADRIC_BEFORE;
+    /* The eye (perspective) or the far end (orthographic) is inside one of the two sheets. */
+    if (screen->orthographic) {
+        const double z = csg_map_direction(&quadric->to_canon, screen->direction).z;
+        return (z > 0) == (sheet > 0) ? CSG_QUADRIC_AFTER : CSG_QUADRIC_BEFORE;
+    }
+    const double z = csg_map_point(&quadric->to_canon, screen->origin).z;
+    return (z > 0) == (sheet > 0) ? CSG_QUADRIC_BEFORE : CSG_QUADRIC_AFTER;
+}
+
+/* Length of the leaf's depth in keys; nearer than a twentieth of the radius counts as that. */
+static double key_span(const struct csg_screen *screen, struct csg_vec3 center, double radius)
+{
+    const double t = csg_dot(csg_sub(center, screen->origin), screen->forward);
+    if (!isfinite(radius))
+        radius = fabs(t) > 0 ? fabs(t) : 1;
+    if (screen->orthographic)
+        return 2 * radius;
+    const double near = fmax(t - radius, 0.05 * radius);
+    return fabs(csg_screen_key(screen, fmax(t + radius, 2 * near)) - csg_screen_key(screen, near));
+}
+
+/* Pixels from a leaf's middle to its rim, at most the screen's diagonal. */
+static double pixel_radius(const struct csg_screen *screen, struct csg_vec3 center, double radius)
+{
+    const double diagonal = hypot(screen->width, screen->height);
+    const double t = csg_dot(csg_sub(center, screen->origin), screen->forward);
+    const double step = csg_length(screen->orthographic ? screen->origin_dx : screen->direction_dx);
+    const double size = screen->orthographic ? radius / step : radius / (step * fabs(t));
+    return size < diagonal ? fmax(size, 1) : diagonal;
+}
+
+void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
+                        const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
+                        struct csg_vec3 center, double radius,
+                        float texels[CSG_QUADRIC_TEXELS][4])
+{
+    const struct csg_pixel here = csg_screen_pixel(screen, center);
+    const double shift[2] = {here.x - at.x, here.y - at.y};
+    const double span = key_span(screen, center, radius);
+    const double pixels = pixel_radius(screen, center, radius);
+    struct pencil pencil = pencil_at(screen, here, &quadric->to_canon);
+    diagonalise(&pencil, quadric);
+    const struct quadratic f = quadratic_of(&pencil, span);
+    const double reach = (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2]))) / fabs(f.a);
+    const bool stiff = reach > STIFF_RATIO * span;
+    /* f's own scale is free: divide by a, or, where a is nearly nothing, by b's size. */
+    const double scale = stiff ? 1 / (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2])) +
+                                      fabs(f.a) * span)
+                               : -1 / f.a;
+    double s[6];
+    for (int i = 0; i < 6; i++)
+        s[i] = f.s[i] * scale * scale;
+    const struct axes axes = axes_of(s, pixels);
+    memset(texels, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
+    put_affine(texels[0], scale * f.b[0], scale * f.b[1], scale * f.b[2], shift);
+    put_affine(texels[1], axes.ox, axes.sx * axes.ex[0], axes.sx * axes.ex[1], shift);
+    put_affine(texels[2], 0, axes.sy * axes.ey[0], axes.sy * axes.ey[1], shift);
+    texels[1][3] = to_float(axes.c0);
+    texels[2][3] = to_float(axes.c1);
+    int code = region_code(screen, quadric, f.a, flipped, convex, sheet);
+    code += axes.sign_x > 0 ? CSG_QUADRIC_X_PLUS : axes.sign_x < 0 ? CSG_QUADRIC_X_MINUS : 0;
+    code += axes.sign_y > 0 ? CSG_QUADRIC_Y_PLUS : axes.sign_y < 0 ? CSG_QUADRIC_Y_MINUS : 0;
+    if (stiff) {
+        code += CSG_QUADRIC_STIFF;
+        put_conic(&texels[3], f.c, &axes, scale);
+        texels[3][3] = to_float(1 / (scale * f.a));
+    }
+    texels[0][3] = (float)code;
+}
+
+/* Half the gradient of f, Q p in canonical space, carried back: affine in the pixel and k. */
+void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
+                       const struct csg_quadric *quadric, float terms[4][3])
+{
+    const struct pencil pencil = pencil_at(screen, at, &quadric->to_canon);
+    const double *d = quadric->diag;
+    struct csg_vec3 normals[4];
+    double largest = 0;
+    for (int i = 0; i < 4; i++) {
+        const double *p = i < 3 ? pencil.p[i] : pencil.w;
+        const struct csg_vec3 canonical =
+            csg_vec3(d[0] * p[0], d[1] * p[1], d[2] * p[2] + quadric->linear * p[3]);
+        normals[i] = csg_map_transposed(&quadric->to_canon, canonical);
+        largest = fmax(largest, csg_length(normals[i]));
+    }
+    for (int i = 0; i < 4; i++) {
+        const struct csg_vec3 n = csg_scale(largest > 0 ? 1 / largest : 1, normals[i]);
+        terms[i][0] = (float)n.x;
+        terms[i][1] = (float)n.y;
+        terms[i][2] = (float)n.z;
+    }
+}

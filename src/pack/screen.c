@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+#include "pack/screen.h"
+
+/* Keys are centred on the scene's depth where the scene is seen from outside and its depths differ
+ * by no more than this factor; else k = -1/t keeps the same relative precision at all depths. */
+#define MAX_DEPTH_RATIO 4.0
+
+/* Part of a pixel by which bounds grow: float rounding of the projection in the vertex stage. */
+#define RECT_MARGIN 0.01
+
+static struct csg_vec3 from_array(const double v[3])
+{
+    return csg_vec3(v[0], v[1], v[2]);
+}
+
+static void init_rays(struct csg_screen *screen, const struct csgcast_frustum *frustum)
+{
+    const struct csg_vec3 eye = from_array(frustum->eye), forward = from_array(frustum->forward);
+    const struct csg_vec3 right = csg_scale(frustum->half_width, from_array(frustum->right));
+    const struct csg_vec3 up = csg_scale(frustum->half_height, from_array(frustum->up));
+    const struct csg_vec3 corner = csg_scale(-1, csg_add(right, up));
+    const struct csg_vec3 dx = csg_scale(2.0 / screen->width, right);
+    const struct csg_vec3 dy = csg_scale(2.0 / screen->height, up);
+    const struct csg_vec3 zero = {0, 0, 0};
+    const bool flat = screen->orthographic;
+    screen->forward = forward;
+    screen->origin = flat ? csg_add(eye, corner) : eye;
+    screen->origin_dx = flat ? dx : zero;
+    screen->origin_dy = flat ? dy : zero;
+    screen->direction = flat ? forward : csg_add(forward, corner);
+    screen->direction_dx = flat ? zero : dx;
+    screen->direction_dy = flat ? zero : dy;
+}
+
+static double depth_of(const struct csg_screen *screen, struct csg_vec3 p)
+{
+    /* In both projections the origin differs from the eye only across the view axis. */
+    return csg_dot(csg_sub(p, screen->origin), screen->forward);
+}
+
+static void depth_range(const struct csg_screen *screen, const struct csg_box *box, double range[2])
+{
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int i = 0; i < 8; i++) {
+        const double t = depth_of(screen, csg_box_corner(box, i));
+        range[0] = fmin(range[0], t);
+        range[1] = fmax(range[1], t);
+    }
+}
+
+/* Depth buffer values: affine in k over a finite range, else a map of all keys to 0..1. */
+static void init_depth(struct csg_screen *screen, const double range[2], bool finite)
+{
+    if (finite && range[1] > range[0]) {
+        const double k0 = csg_screen_key(screen, range[0]), k1 = csg_screen_key(screen, range[1]);
+        const double margin = 0.01 * (k1 - k0);
+        screen->depth[0] = (float)(1 / (k1 - k0 + 2 * margin));
+        screen->depth[1] = (float)((margin - k0) / (k1 - k0 + 2 * margin));
+        screen->depth[3] = 0;
+        return;
+    }
+    const double typical = isfinite(range[1]) && range[1] > 0 ? range[1] : 1;
+    screen->depth[0] = (float)(screen->orthographic ? 1 / typical : typical / screen->b);
+    screen->depth[3] = screen->orthographic ? 2 : 1;
+}
+
+void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
+                     int height, const struct csg_box *scene_box)
+{
+    *screen = (struct csg_screen){
+        .width = width, .height = height, .orthographic = frustum->orthographic};
+    init_rays(screen, frustum);
+    double range[2] = {INFINITY, -INFINITY};
+    const bool finite = !csg_box_is_empty(scene_box) && csg_box_is_finite(scene_box);
+    if (finite)
+        depth_range(screen, scene_box, range);
+    const double middle = finite ? 0.5 * (range[0] + range[1]) : 0;
+    if (screen->orthographic) {
+        screen->a = middle;
+        screen->b = screen->scale = 1;
+        screen->k_far = CSG_KEY_MAX;
+        init_depth(screen, range, finite);
+        return;
+    }
+    const bool centred = finite && range[0] > 0 && range[1] < MAX_DEPTH_RATIO * range[0];
+    screen->a = centred ? middle : 0;
+    screen->b = centred ? middle * middle : 1;
+    screen->scale = centred ? middle : 1;
+    screen->k_far = screen->a;
+    init_depth(screen, range, centred);
+}
+
+double csg_screen_key(const struct csg_screen *screen, double t)
+{
+    return screen->orthographic ? t - screen->a : screen->a - screen->b / t;
+}
+
+double csg_screen_distance(const struct csg_screen *screen, double k)
+{
+    return screen->orthographic ? k + screen->a : screen->b / (screen->a - k);
+}
+
+/* Continuous pixel coordinates of a point; false at or behind the eye plane. */
+static bool project(const struct csg_screen *screen, struct csg_vec3 p, double pixel[2])
+{
+    const double t = depth_of(screen, p);
+    struct csg_vec3 across = csg_sub(p, screen->origin), dx, dy;
+    if (screen->orthographic) {
+        dx = screen->origin_dx;
+        dy = screen->origin_dy;
+    } else {
+        if (!(t > 0))
+            return false;
+        across = csg_sub(csg_scale(1 / t, across), screen->direction);
+        dx = screen->direction_dx;
+        dy = screen->direction_dy;
+    }
+    pixel[0] = csg_dot(across, dx) / csg_dot(dx, dx);
+    pixel[1] = csg_dot(across, dy) / csg_dot(dy, dy);
+    return true;
+}
+
+static struct csg_rect clip_rect(const struct csg_screen *screen, const double lo[2],
+                                 const double hi[2])
+{
+    return (struct csg_rect){
+        {fmax(lo[0] - RECT_MARGIN, 0), fmax(lo[1] - RECT_MARGIN, 0)},
+        {fmin(hi[0] + RECT_MARGIN, screen->width), fmin(hi[1] + RECT_MARGIN, screen->height)}};
+}
+
+struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct csg_map *frame,
+                                const struct csg_box *box)
+{
+    const struct csg_rect all = {{0, 0}, {screen->width, screen->height}};
+    const struct csg_rect nothing = {{1, 1}, {0, 0}};
+    double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+    if (!csg_box_is_finite(box))
+        return all;
+    int num_behind = 0;
+    for (int i = 0; i < 8; i++) {
+        double pixel[2];
+        if (!project(screen, csg_map_point(frame, csg_box_corner(box, i)), pixel)) {
+            num_behind++;
+            continue;
+        }
+        for (int j = 0; j < 2; j++) {
+            lo[j] = fmin(lo[j], pixel[j]);
+            hi[j] = fmax(hi[j], pixel[j]);
+        }
+    }
+    if (num_behind)
+        return num_behind == 8 ? nothing : all;
+    return clip_rect(screen, lo, hi);
+}
+
+struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_vec3 point)
+{
+    double pixel[2];
+    if (!project(screen, point, pixel) || !isfinite(pixel[0]) || !isfinite(pixel[1]))
+        return (struct csg_pixel){floor(0.5 * screen->width), floor(0.5 * screen->height)};
+    /* Whole pixels: the shader's offsets from them are exact in float. */
+    return (struct csg_pixel){floor(fmin(fmax(pixel[0], 0), screen->width)),
+                              floor(fmin(fmax(pixel[1], 0), screen->height))};
+}
+
+static float to_float(double value)
+{
+    return (float)fmin(fmax(value, -CSG_KEY_MAX), CSG_KEY_MAX);
+}
+
+/*
+ * With g(k) = n.P - offset P_w + k (n.W - offset W_w) <= 0 inside, the crossing is at
+ * k = -g(0) / g'. Where rays run along the plane, g' is 0 and the sign of g(0) decides: a tiny g'
+ * sends the crossing to the far end of the keys on the right side.
+ */
+void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
+                      const struct csg_plane *plane, bool flipped, float texel[4])
+{
+    const struct csg_vec3 n = plane->normal;
+    const double ox = csg_dot(n, screen->origin_dx), oy = csg_dot(n, screen->origin_dy);
+    const double dx = csg_dot(n, screen->direction_dx), dy = csg_dot(n, screen->direction_dy);
+    const double height = csg_dot(n, screen->origin) - plane->offset + at.x * ox + at.y * oy;
+    const double along = csg_dot(n, screen->direction) + at.x * dx + at.y * dy;
+    const double tiny = 1e-300;
+    double slope;
+    if (screen->orthographic) {
+        slope = fabs(along) > tiny ? along : tiny;
+        texel[0] = to_float(-(height + screen->a * along) / slope);
+        texel[1] = to_float(-ox / slope);
+        texel[2] = to_float(-oy / slope);
+    } else {
+        slope = fabs(height) > tiny ? -height : tiny;
+        texel[0] = to_float(screen->a - screen->b * along / slope);
+        texel[1] = to_float(-screen->b * dx / slope);
+        texel[2] = to_float(-screen->b * dy / slope);
+    }
+    texel[3] = (slope > 0) != flipped ? CSG_KEY_MAX : 0;
+}

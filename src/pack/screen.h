@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PACK_SCREEN_H
+#define CSG_PACK_SCREEN_H
+
+/*
+ * Carriers as the screen sees them.
+ *
+ * Along the ray of pixel (x, y) let t be the distance along the view axis. csgcast measures it by
+ * the depth key
+ *     k = A - B / t   (perspective)        k = t - T   (orthographic),
+ * which grows along the ray. In homogeneous coordinates the ray's point then is P(x, y) + k W with
+ * W constant and P affine in x and y. So, computed in double once per frame,
+ *     a plane's crossing    k = c0 + cu x + cv y,
+ *     a quadric's crossings k = m(x, y) -+ sqrt(h(x, y)), m affine and h a conic,
+ *     a surface normal      n = n0 + nu x + nv y + nk k,
+ * with (x, y) counted from a pixel near the object. The shader evaluates these few terms in float;
+ * the cancellation that ruins the textbook quadratic (eye far away, axis askew) happens in double.
+ * This is Sigg et al. 2006, section 3 (rays parametrised by window depth), with the origin of
+ * pixels and depth moved to where the object is. docs/numerics.md has the derivation and figures.
+ */
+
+#include "common/layout.glsl" /* from shaders/: what C and GLSL share */
+#include "csg/carrier.h"
+
+struct csg_screen {
+    int width, height;
+    bool orthographic;
+    struct csg_vec3 origin, origin_dx, origin_dy;          /* ray origin; steps per pixel */
+    struct csg_vec3 direction, direction_dx, direction_dy; /* at pixel coordinates (0, 0) */
+    struct csg_vec3 forward;
+    double a, b;         /* perspective: k = a - b / t; orthographic: k = t - a, b = 1 */
+    double scale;        /* of the homogeneous coordinates, so that they are near 1 */
+    double k_far;        /* key at t = infinity; larger keys are behind the eye */
+    float depth[4];      /* see csg_screen_depth in shaders/common/screen.glsl */
+};
+
+/* The pixel around which an object's terms are written. GL's pixels: y upwards, centres at .5. */
+struct csg_pixel {
+    double x, y;
+};
+
+/* scene_box: what will be drawn; decides where keys are finest. */
+void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
+                     int height, const struct csg_box *scene_box);
+
+/* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */
+struct csg_rect {
+    double lo[2], hi[2];
+};
+
+/* The part of the screen that a mapped box can cover; all of it when the box crosses the eye
+ * plane. */
+struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct csg_map *frame,
+                                const struct csg_box *box);
+
+/* From distance along the view axis to key and back. */
+double csg_screen_key(const struct csg_screen *screen, double t);
+double csg_screen_distance(const struct csg_screen *screen, double k);
+
+/* A plane's texel: c0, cu, cv and 0 for an entry, CSG_KEY_MAX for an exit, into the side that the
+ * plane's normal points away from. */
+void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
+                      const struct csg_plane *plane, bool flipped, float texel[4]);
+
+/*
+ * A quadric's texels (see shaders/solids/quadric.glsl). convex and sheet as in csg_shape, center:
+ * a point of the leaf, near which the terms are to be most accurate; radius: of the leaf.
+ */
+void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
+                        const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
+                        struct csg_vec3 center, double radius,
+                        float texels[CSG_QUADRIC_TEXELS][4]);
+
+/* Terms n0 nu nv nk of the normal of a quadric's surface: gradient of f, not normalised. */
+void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
+                       const struct csg_quadric *quadric, float terms[4][3]);
+
+/* The pixel that shows point, clamped to the screen. */
+struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_vec3 point);
+
+#endif

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+#include <pthread.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "csg/object.h"
+#include "reference/reference.h"
+
+#define MAX_THREADS 64
+
+struct job {
+    const struct csgcast_scene *scene;
+    const struct csg_reference_params *params;
+    const struct csgcast_image *image;
+    int first_row, stride; /* the rows of one thread */
+    bool failed;
+};
+
+static struct csg_vec3 combine(const struct csgcast_frustum *frustum, double x, double y, double z)
+{
+    double v[3];
+    for (int i = 0; i < 3; i++)
+        v[i] = frustum->right[i] * x + frustum->up[i] * y + frustum->forward[i] * z;
+    return csg_vec3(v[0], v[1], v[2]);
+}
+
+struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y)
+{
+    const struct csgcast_frustum *frustum = params->frustum;
+    const double sx = ((x + 0.5) * 2 / params->width - 1) * frustum->half_width;
+    const double sy = (1 - (y + 0.5) * 2 / params->height) * frustum->half_height;
+    const struct csg_vec3 eye = csg_vec3(frustum->eye[0], frustum->eye[1], frustum->eye[2]);
+    if (frustum->orthographic)
+        return (struct csg_ray){csg_add(eye, combine(frustum, sx, sy, 0)),
+                                combine(frustum, 0, 0, 1), -INFINITY};
+    return (struct csg_ray){eye, combine(frustum, sx, sy, 1), 0};
+}
+
+/* The first solid of the object that is not subtracted: as in pack/frame.c. */
+static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
+                                         const struct csg_hit *hit)
+{
+    const struct csg_tree *tree = &scene->trees[hit->layer];
+    for (size_t i = 0; i < scene->objects->num; i++) {
+        const struct csg_object *object = &scene->objects->data[i];
+        const struct csg_leaf *first = NULL;
+        bool has_leaf = false;
+        for (uint32_t j = object->begin; object->layer == hit->layer && j < object->end; j++) {
+            if (tree->data[j].op != CSG_LEAF)
+                continue;
+            has_leaf |= tree->data[j].leaf == hit->leaf;
+            if (!first && !tree->data[j].negated)
+                first = &scene->leaves[tree->data[j].leaf];
+        }
+        if (has_leaf)
+            return first;
+    }
+    return NULL;
+}
+
+/* Lit colour, r g b a. */
+static void shade(const struct job *job, const struct csg_hit *hit, float rgba[4])
+{
+    const struct csg_leaf *leaf = &job->scene->leaves[hit->leaf];
+    bool cut = hit->cut;
+    if (cut && job->params->cut_color == CSGCAST_CUT_MINUEND) {
+        const struct csg_leaf *minuend = minuend_of(job->scene, hit);
+        leaf = minuend ? minuend : leaf;
+        cut = minuend == NULL;
+    }
+    csg_face_color(job->params->scheme, leaf, hit->layer, cut, rgba);
+    const double light = csg_light_factor(job->params->frustum, hit->normal);
+    for (int i = 0; i < 3; i++)
+        rgba[i] = (float)fmin(rgba[i] * light, 1);
+}
+
+static void blend(float *below, const float above[4])
+{
+    for (int i = 0; i < 3; i++)
+        below[i] += above[3] * (above[i] - below[i]);
+}
+
+static void overlay(struct job *job, uint8_t layer, const struct csg_ray *ray, double t,
+                    struct csg_ray_scratch *scratch, float *rgba)
+{
+    struct csg_hit hit;
+    float color[4];
+    if (!rgba || !csg_reference_trace(job->scene, layer, ray, scratch, &hit, &job->failed))
+        return;
+    if (hit.t > t && layer == CSG_LAYER_BACKGROUND)
+        return;
+    if (hit.t > t * (1 + 1e-6))
+        return;
+    shade(job, &hit, color);
+    blend(rgba, color);
+}
+
+/* Behind a translucent surface the reference shows the background. */
+static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch)
+{
+    const struct csgcast_image *image = job->image;
+    const struct csg_ray ray = csg_reference_ray(job->params, x, y);
+    const size_t index = (size_t)y * (size_t)job->params->width + (size_t)x;
+    struct csg_hit hit = {.t = INFINITY};
+    const bool found =
+        csg_reference_trace(job->scene, CSG_LAYER_MODEL, &ray, scratch, &hit, &job->failed);
+    if (image->z)
+        image->z[index] = (float)hit.t;
+    if (image->id)
+        image->id[index] = found ? (float)hit.leaf : -1;
+    if (image->normal) {
+        image->normal[3 * index] = (float)hit.normal.x;
+        image->normal[3 * index + 1] = (float)hit.normal.y;
+        image->normal[3 * index + 2] = (float)hit.normal.z;
+    }
+    if (!image->rgba)
+        return;
+    float *rgba = image->rgba + 4 * index;
+    for (int i = 0; i < 3; i++)
+        rgba[i] = job->params->scheme->background[i];
+    rgba[3] = 1;
+    if (found) {
+        float color[4];
+        shade(job, &hit, color);
+        blend(rgba, color);
+    }
+    overlay(job, CSG_LAYER_BACKGROUND, &ray, hit.t, scratch, rgba);
+    overlay(job, CSG_LAYER_HIGHLIGHT, &ray, hit.t, scratch, rgba);
+}
+
+static void *run(void *argument)
+{
+    struct job *job = argument;
+    struct csg_ray_scratch *scratch = csg_ray_scratch_create();
+    job->failed = !scratch;
+    for (int y = job->first_row; y < job->params->height && !job->failed; y += job->stride)
+        for (int x = 0; x < job->params->width && !job->failed; x++)
+            pixel(job, x, y, scratch);
+    csg_ray_scratch_destroy(scratch);
+    return NULL;
+}
+
+bool csg_reference_render(const struct csgcast_scene *scene,
+                          const struct csg_reference_params *params,
+                          const struct csgcast_image *image, const struct csg_log *log)
+{
+    struct job jobs[MAX_THREADS];
+    pthread_t threads[MAX_THREADS];
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const int num = cores < 1 ? 1 : cores > MAX_THREADS ? MAX_THREADS : (int)cores;
+    bool started[MAX_THREADS] = {false}, failed = false;
+    for (int i = 0; i < num; i++) {
+        jobs[i] = (struct job){scene, params, image, i, num, false};
+        started[i] = i + 1 < num && pthread_create(&threads[i], NULL, run, &jobs[i]) == 0;
+        if (!started[i])
+            run(&jobs[i]);
+    }
+    for (int i = 0; i < num; i++) {
+        if (started[i])
+            pthread_join(threads[i], NULL);
+        failed |= jobs[i].failed;
+    }
+    return !failed || csg_log_memory(log);
+}

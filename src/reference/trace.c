@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "csg/object.h"
+#include "reference/crossings.h"
+
+/* One operand's crossings: a run of the pool. */
+struct list {
+    size_t begin;
+    bool inside; /* at -inf */
+};
+
+/* A crossing on its way up, with the operand it comes from. */
+struct event {
+    struct csg_crossing crossing;
+    uint32_t operand;
+};
+
+struct csg_ray_scratch {
+    CSG_ARRAY(struct csg_crossing) pool;
+    CSG_ARRAY(struct list) lists; /* of the operands that wait for their node */
+    CSG_ARRAY(struct event) events;
+    CSG_ARRAY(bool) inside; /* per operand */
+};
+
+struct csg_ray_scratch *csg_ray_scratch_create(void)
+{
+    return calloc(1, sizeof(struct csg_ray_scratch));
+}
+
+void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch)
+{
+    if (!scratch)
+        return;
+    free(scratch->pool.data);
+    free(scratch->lists.data);
+    free(scratch->events.data);
+    free(scratch->inside.data);
+    free(scratch);
+}
+
+static bool push_leaf(struct csg_ray_scratch *scratch, const struct csgcast_scene *scene,
+                      const struct csg_node *node, const struct csg_ray *ray)
+{
+    const struct csg_leaf_crossings leaf = csg_cross_leaf(scene, node->leaf, ray);
+    const struct list list = {scratch->pool.num, leaf.inside != node->negated};
+    for (int i = 0; i < leaf.num; i++) {
+        const struct csg_crossing crossing = {leaf.t[i], node->leaf, node->negated};
+        if (!csg_array_push(&scratch->pool, crossing))
+            return false;
+    }
+    return csg_array_push(&scratch->lists, list);
+}
+
+static int compare_events(const void *a, const void *b)
+{
+    const struct event *x = a, *y = b;
+    return x->crossing.t < y->crossing.t ? -1 : x->crossing.t > y->crossing.t;
+}
+
+/* Takes the last num lists off the stack as events in order of t. */
+static bool gather(struct csg_ray_scratch *scratch, size_t num, size_t *num_inside)
+{
+    const size_t first = scratch->lists.num - num;
+    size_t end = scratch->pool.num;
+    scratch->events.num = scratch->inside.num = 0;
+    *num_inside = 0;
+    if (!csg_array_reserve(&scratch->inside, num))
+        return false;
+    for (size_t i = num; i-- > 0;) {
+        const struct list *list = &scratch->lists.data[first + i];
+        scratch->inside.data[i] = list->inside;
+        *num_inside += list->inside;
+        for (size_t j = list->begin; j < end; j++)
+            if (!csg_array_push(&scratch->events,
+                                ((struct event){scratch->pool.data[j], (uint32_t)i})))
+                return false;
+        end = list->begin;
+    }
+    scratch->pool.num = end;
+    scratch->lists.num = first;
+    if (scratch->events.num > 1)
+        qsort(scratch->events.data, scratch->events.num, sizeof *scratch->events.data,
+              compare_events);
+    return true;
+}
+
+static bool precedes(const struct csg_crossing *a, const struct csg_crossing *b)
+{
+    return a->cut != b->cut ? b->cut : a->leaf < b->leaf;
+}
+
+/* Toggles the operands of the events at one t; the best of those that turn to `towards`. */
+static const struct csg_crossing *pass_batch(struct csg_ray_scratch *scratch, size_t begin,
+                                             size_t end, bool towards, size_t *num_inside)
+{
+    const struct csg_crossing *best = NULL;
+    for (size_t i = begin; i < end; i++) {
+        const struct event *event = &scratch->events.data[i];
+        bool *inside = &scratch->inside.data[event->operand];
+        *inside = !*inside;
+        *num_inside += *inside ? 1 : (size_t)-1;
+        if (*inside == towards && (!best || precedes(&event->crossing, best)))
+            best = &event->crossing;
+    }
+    return best;
+}
+
+/* Replaces the lists of a node's num operands by the node's own. */
+static bool merge(struct csg_ray_scratch *scratch, bool all, size_t num)
+{
+    size_t num_inside;
+    if (!gather(scratch, num, &num_inside))
+        return false;
+    const size_t needed = all ? num : 1;
+    bool inside = num_inside >= needed;
+    const struct list list = {scratch->pool.num, inside};
+    for (size_t i = 0; i < scratch->events.num;) {
+        size_t end = i + 1;
+        while (end < scratch->events.num &&
+               scratch->events.data[end].crossing.t == scratch->events.data[i].crossing.t)
+            end++;
+        const struct csg_crossing *best = pass_batch(scratch, i, end, !inside, &num_inside);
+        if ((num_inside >= needed) != inside) {
+            inside = !inside;
+            if (!csg_array_push(&scratch->pool, *best))
+                return false;
+        }
+        i = end;
+    }
+    return csg_array_push(&scratch->lists, list);
+}
+
+static bool evaluate(const struct csgcast_scene *scene, const struct csg_object *object,
+                     const struct csg_ray *ray, struct csg_ray_scratch *scratch)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    scratch->pool.num = scratch->lists.num = 0;
+    for (uint32_t i = object->end; i-- > object->begin;) {
+        if (nodes[i].op == CSG_LEAF) {
+            if (!push_leaf(scratch, scene, &nodes[i], ray))
+                return false;
+            continue;
+        }
+        size_t num = 0;
+        for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end)
+            num++;
+        if (!merge(scratch, nodes[i].op == CSG_AND, num))
+            return false;
+    }
+    return true;
+}
+
+/* Widened a little: rounding here must not lose a grazing hit. */
+static bool meets_box(const struct csg_box *box, const struct csg_ray *ray)
+{
+    const double lo[3] = {box->lo.x, box->lo.y, box->lo.z}, hi[3] = {box->hi.x, box->hi.y, box->hi.z};
+    const double org[3] = {ray->org.x, ray->org.y, ray->org.z};
+    const double dir[3] = {ray->dir.x, ray->dir.y, ray->dir.z};
+    double tnear = ray->tnear, tfar = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const double margin = 1e-9 * (fabs(lo[i]) + fabs(hi[i]) + fabs(org[i]));
+        const double a = (lo[i] - margin - org[i]) / dir[i], b = (hi[i] + margin - org[i]) / dir[i];
+        if (dir[i] == 0 || isnan(a) || isnan(b))
+            continue;
+        tnear = fmax(tnear, fmin(a, b));
+        tfar = fmin(tfar, fmax(a, b));
+    }
+    return tnear <= tfar * (tfar > 0 ? 1 + 1e-12 : 1 - 1e-12);
+}
+
+/* The object's first change after tnear. */
+static bool first_crossing(const struct csg_ray_scratch *scratch, double tnear, double tbest,
+                           struct csg_crossing *found, bool *enters)
+{
+    *enters = !scratch->lists.data[0].inside;
+    for (size_t i = 0; i < scratch->pool.num; i++, *enters = !*enters) {
+        *found = scratch->pool.data[i];
+        if (found->t > tnear)
+            return found->t < tbest;
+    }
+    return false;
+}
+
+bool csg_reference_trace(const struct csgcast_scene *scene, uint8_t layer,
+                         const struct csg_ray *ray, struct csg_ray_scratch *scratch,
+                         struct csg_hit *hit, bool *failed)
+{
+    bool found = false, enters = false;
+    struct csg_crossing best = {INFINITY, 0, false};
+    for (size_t i = 0; i < scene->objects->num; i++) {
+        const struct csg_object *object = &scene->objects->data[i];
+        struct csg_crossing crossing;
+        bool object_enters;
+        if (object->layer != layer || !meets_box(&object->box, ray))
+            continue;
+        if (!evaluate(scene, object, ray, scratch)) {
+            *failed = true;
+            return false;
+        }
+        if (!first_crossing(scratch, ray->tnear, best.t, &crossing, &object_enters))
+            continue;
+        found = true;
+        best = crossing;
+        enters = object_enters;
+    }
+    if (!found)
+        return false;
+    *hit = (struct csg_hit){best.t, best.leaf, best.cut, layer, {0, 0, 0}};
+    const struct csg_vec3 normal =
+        csg_leaf_normal(scene, best.leaf, ray, best.t, enters != best.cut);
+    hit->normal = best.cut ? csg_scale(-1, normal) : normal;
+    return true;
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/renderer.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Structures that get straight-line programs of their own, at most; the others share the loop.
+ * Each costs 5 to 100 ms to compile where the driver's disk cache does not know it. */
+#define MAX_STRAIGHT_PROGRAMS 8
+
+/* Program of a structure that this frame has met already. */
+struct known {
+    const struct csg_step *steps; /* of the first object that has it */
+    size_t num;
+    GLuint program;
+    enum csg_resolver resolver;
+};
+
+struct chooser {
+    struct csgcast_renderer *renderer;
+    const struct csg_request *request;
+    struct known straight[MAX_STRAIGHT_PROGRAMS];
+    size_t num_straight;
+    GLuint loops[4], sorted[4]; /* by features */
+};
+
+static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
+{
+    const struct csg_plan *plan = request->scene->plan;
+    return (struct csg_structure){plan->program.data + plan->begin[object],
+                                  plan->begin[object + 1] - plan->begin[object], request->scene};
+}
+
+static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
+{
+    return scene->leaves[a].shape.num_planes == scene->leaves[b].shape.num_planes;
+}
+
+/* Same flags, planes and file order of the leaves: the same straight-line text. */
+static bool same_structure(const struct csg_structure *a, const struct known *b)
+{
+    if (a->num != b->num)
+        return false;
+    for (size_t i = 0; i < a->num; i++) {
+        const struct csg_step *x = &a->steps[i], *y = &b->steps[i];
+        if (x->flags != y->flags)
+            return false;
+        if (x->flags & CSG_RECORD_POP)
+            continue;
+        if (!same_leaf_shape(a->scene, x->leaf, y->leaf))
+            return false;
+        for (size_t j = 0; j < i; j++)
+            if (!(a->steps[j].flags & CSG_RECORD_POP) &&
+                (x->leaf < a->steps[j].leaf) != (y->leaf < b->steps[j].leaf))
+                return false;
+    }
+    return true;
+}
+
+static struct known *find_straight(struct chooser *chooser, const struct csg_structure *structure)
+{
+    for (size_t i = 0; i < chooser->num_straight; i++)
+        if (same_structure(structure, &chooser->straight[i]))
+            return &chooser->straight[i];
+    return NULL;
+}
+
+static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
+                      const struct csg_structure *structure, int features)
+{
+    return csg_programs_geometry(&chooser->renderer->programs,
+                                 csg_source_geometry(resolver, features, structure));
+}
+
+static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure)
+{
+    struct known *known = find_straight(chooser, structure);
+    if (known)
+        return known->program;
+    const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure,
+                                   csg_structure_features(structure));
+    if (program)
+        chooser->straight[chooser->num_straight++] =
+            (struct known){structure->steps, structure->num, program, CSG_RESOLVER_STRAIGHT};
+    return program;
+}
+
+static bool can_be_straight(struct chooser *chooser, const struct csg_structure *structure,
+                            const struct csg_draw *draw)
+{
+    return !draw->around_eye && csg_structure_is_small(structure) &&
+           (chooser->num_straight < MAX_STRAIGHT_PROGRAMS || find_straight(chooser, structure));
+}
+
+static enum csg_resolver choose_resolver(struct chooser *chooser,
+                                         const struct csg_structure *structure,
+                                         const struct csg_draw *draw)
+{
+    const int forced = chooser->request->resolver;
+    if (forced == CSG_RESOLVER_LOOP)
+        return CSG_RESOLVER_LOOP;
+    if (forced == CSG_RESOLVER_ALGORITHM4)
+        return csg_structure_crossings(structure) <= CSG_ALGORITHM4_MAX_CROSSINGS
+                   ? CSG_RESOLVER_ALGORITHM4
+                   : CSG_RESOLVER_LOOP;
+    return can_be_straight(chooser, structure, draw) ? CSG_RESOLVER_STRAIGHT : CSG_RESOLVER_LOOP;
+}
+
+static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
+                             enum csg_resolver *resolver)
+{
+    const struct csg_structure structure = structure_of(chooser->request, draw->object);
+    *resolver = choose_resolver(chooser, &structure, draw);
+    if (*resolver == CSG_RESOLVER_STRAIGHT)
+        return choose_straight(chooser, &structure);
+    const int features = csg_structure_features(&structure);
+    GLuint *shared = *resolver == CSG_RESOLVER_LOOP ? chooser->loops : chooser->sorted;
+    if (!shared[features])
+        shared[features] = compile(chooser, *resolver, &structure, features);
+    return shared[features];
+}
+
+static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,
+                     enum csg_resolver resolver, uint32_t instance)
+{
+    struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
+    batches->drawn[resolver]++;
+    if (last && last->program == program && last->layer == draw->layer &&
+        last->translucent == draw->translucent) {
+        last->num++;
+        return true;
+    }
+    const struct csg_batch batch = {program, resolver, draw->layer, draw->translucent, instance, 1};
+    return csg_array_push(batches, batch);
+}
+
+bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
+                      const struct csg_request *request)
+{
+    struct chooser *chooser = calloc(1, sizeof *chooser);
+    bool ok = chooser != NULL;
+    if (!ok)
+        csg_log_memory(&renderer->log);
+    else
+        *chooser = (struct chooser){.renderer = renderer, .request = request};
+    for (uint32_t i = 0; i < renderer->frame.draws.num && ok; i++) {
+        const struct csg_draw *draw = &renderer->frame.draws.data[i];
+        enum csg_resolver resolver;
+        const GLuint program = choose_program(chooser, draw, &resolver);
+        ok = program != 0;
+        if (ok && !add_draw(batches, draw, program, resolver, i))
+            ok = csg_log_memory(&renderer->log);
+    }
+    free(chooser);
+    return ok;
+}

@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: MIT */
+
+/*
+ * A frame: the geometry pass finds the visible record of every pixel, the shading pass gives it
+ * normal and colour. Translucent objects, % and # come as further rounds over the same depth
+ * buffer, blended. Large pictures are drawn in bands.
+ */
+
+#include "render/renderer.h"
+
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/clock.h"
+
+#define MAX_BAND_PIXELS (4 << 20)
+
+/* Overlays coincide with surfaces that they repeat: let them win by some steps of the buffer. */
+#define OVERLAY_DEPTH_BIAS 2e-6f
+
+struct picture {
+    struct csgcast_renderer *renderer;
+    struct csg_gl *gl;
+    const struct csg_request *request;
+    struct csg_batches batches;
+    GLuint shade;
+    int first_row, num_rows; /* of the band, counted from the bottom */
+    bool want_geometry, want_leaf;
+};
+
+/* Which objects a round draws. */
+struct round {
+    uint8_t layer;
+    bool opaque, translucent;
+    bool overlay; /* blended over what is there */
+    bool geometry; /* writes distance, normal and leaf */
+};
+
+static void set_screen(const struct picture *picture, GLuint program)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csg_screen *screen = &picture->renderer->frame.screen;
+    gl->UseProgram(program);
+    gl->Uniform1i(gl->GetUniformLocation(program, "csg_data"), 0);
+    gl->Uniform2f(gl->GetUniformLocation(program, "csg_window"), 0, (float)picture->first_row);
+    gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_depth"), screen->depth[0],
+                  screen->depth[1], screen->depth[2], screen->depth[3]);
+    gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_key"), (float)screen->a,
+                  (float)screen->b, (float)screen->k_far, screen->orthographic);
+}
+
+static void point_instances(struct csg_gl *gl, size_t first)
+{
+    const size_t size = sizeof(struct csg_instance), base = first * size;
+    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
+                            (const void *)(base + offsetof(struct csg_instance, rect)));
+    gl->VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, (GLsizei)size,
+                            (const void *)(base + offsetof(struct csg_instance, at)));
+    gl->VertexAttribIPointer(2, 2, GL_INT, (GLsizei)size,
+                             (const void *)(base + offsetof(struct csg_instance, records)));
+    for (GLuint i = 0; i < 3; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
+}
+
+static bool is_in_round(const struct csg_batch *batch, const struct round *round)
+{
+    return batch->layer == round->layer &&
+           (batch->translucent ? round->translucent : round->opaque);
+}
+
+static void draw_geometry(const struct picture *picture, const struct round *round)
+{
+    struct csg_gl *gl = picture->gl;
+    const GLuint nothing[4] = {0, 0, 0, 0};
+    const GLfloat far = 1;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.geometry_fbo);
+    gl->Viewport(0, -picture->first_row, picture->request->width, picture->request->height);
+    gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+    if (!round->overlay)
+        gl->ClearBufferfv(GL_DEPTH, 0, &far);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_LESS);
+    gl->BindVertexArray(picture->renderer->vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, picture->renderer->instance_buffer);
+    for (size_t i = 0; i < picture->batches.num; i++) {
+        const struct csg_batch *batch = &picture->batches.data[i];
+        if (!is_in_round(batch, round))
+            continue;
+        set_screen(picture, batch->program);
+        gl->Uniform1f(gl->GetUniformLocation(batch->program, "csg_depth_bias"),
+                      round->layer == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
+        point_instances(gl, batch->first);
+        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
+    }
+}
+
+static void set_outputs(const struct picture *picture, const struct round *round)
+{
+    const GLenum buffers[3] = {
+        GL_COLOR_ATTACHMENT0,
+        round->geometry && picture->want_geometry ? GL_COLOR_ATTACHMENT1 : GL_NONE,
+        round->geometry && picture->want_leaf ? GL_COLOR_ATTACHMENT2 : GL_NONE};
+    picture->gl->DrawBuffers(3, buffers);
+}
+
+static void set_light(const struct picture *picture, const struct round *round)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csgcast_frustum *frustum = &picture->request->frustum;
+    const float *background = picture->request->scheme->background;
+    float light[3];
+    for (int i = 0; i < 3; i++)
+        light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
+                           CSG_LIGHT_Z * frustum->forward[i]);
+    gl->Uniform3f(gl->GetUniformLocation(picture->shade, "csg_light"), light[0], light[1],
+                  light[2]);
+    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_ambient"),
+                  (float)CSG_LIGHT_AMBIENT, round->overlay, 0, 0);
+    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_background"), background[0],
+                  background[1], background[2], 1);
+}
+
+static void draw_shading(const struct picture *picture, const struct round *round)
+{
+    struct csg_gl *gl = picture->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
+    set_outputs(picture, round);
+    gl->Viewport(0, 0, picture->request->width, picture->num_rows);
+    gl->Disable(GL_DEPTH_TEST);
+    if (round->overlay) {
+        gl->Enable(GL_BLEND);
+        gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
+    gl->BindVertexArray(picture->renderer->empty_array);
+    set_screen(picture, picture->shade);
+    gl->Uniform1i(gl->GetUniformLocation(picture->shade, "csg_visible"), 1);
+    set_light(picture, round);
+    gl->ActiveTexture(GL_TEXTURE1);
+    gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->Disable(GL_BLEND);
+}
+
+static bool has_draws(const struct picture *picture, const struct round *round)
+{
+    for (size_t i = 0; i < picture->batches.num; i++)
+        if (is_in_round(&picture->batches.data[i], round))
+            return true;
+    return false;
+}
+
+static void draw_band(const struct picture *picture)
+{
+    const struct round translucent = {CSG_LAYER_MODEL, false, true, true, false};
+    const bool mixed = has_draws(picture, &translucent);
+    /* Distances and leaves are those of all solids; colours behind translucent ones come next. */
+    const struct round rounds[] = {
+        {CSG_LAYER_MODEL, true, true, false, true},
+        {CSG_LAYER_MODEL, true, false, false, false},
+        translucent,
+        {CSG_LAYER_BACKGROUND, true, true, true, false},
+        {CSG_LAYER_HIGHLIGHT, true, true, true, false},
+    };
+    for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
+        if ((i == 1 && !mixed) || (i > 1 && !has_draws(picture, &rounds[i])))
+            continue;
+        draw_geometry(picture, &rounds[i]);
+        draw_shading(picture, &rounds[i]);
+    }
+}
+
+/* Reads one attachment of the band, components floats a pixel. */
+static void read_attachment(const struct picture *picture, GLenum attachment, GLenum format,
+                            float *pixels)
+{
+    struct csg_gl *gl = picture->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
+    gl->ReadBuffer(attachment);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, format, GL_FLOAT, pixels);
+}
+
+/* The caller's row of a band's row: GL counts from the bottom. */
+static size_t image_row(const struct picture *picture, int row)
+{
+    return (size_t)(picture->request->height - 1 - picture->first_row - row);
+}
+
+static void copy_color(const struct picture *picture, const float *pixels)
+{
+    const size_t stride = 4 * (size_t)picture->request->width;
+    for (int row = 0; row < picture->num_rows; row++)
+        memcpy(picture->request->image->rgba + image_row(picture, row) * stride,
+               pixels + (size_t)row * stride, stride * sizeof *pixels);
+}
+
+static void copy_geometry(const struct picture *picture, const float *pixels)
+{
+    const struct csgcast_image *image = picture->request->image;
+    const size_t width = (size_t)picture->request->width;
+    for (int row = 0; row < picture->num_rows; row++) {
+        const float *from = pixels + (size_t)row * 4 * width;
+        const size_t to = image_row(picture, row) * width;
+        for (size_t x = 0; x < width; x++, from += 4) {
+            if (image->z)
+                image->z[to + x] = from[3];
+            if (image->normal)
+                memcpy(image->normal + 3 * (to + x), from, 3 * sizeof *from);
+        }
+    }
+}
+
+static void copy_leaf(const struct picture *picture, const float *pixels)
+{
+    const size_t width = (size_t)picture->request->width;
+    for (int row = 0; row < picture->num_rows; row++)
+        memcpy(picture->request->image->id + image_row(picture, row) * width,
+               pixels + (size_t)row * width, width * sizeof *pixels);
+}
+
+static void read_band(const struct picture *picture, float *pixels)
+{
+    if (picture->request->image->rgba) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, pixels);
+        copy_color(picture, pixels);
+    }
+    if (picture->want_geometry) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT1, GL_RGBA, pixels);
+        copy_geometry(picture, pixels);
+    }
+    if (picture->want_leaf) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT2, GL_RED, pixels);
+        copy_leaf(picture, pixels);
+    }
+}
+
+static bool upload_data(struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    struct csg_frame *frame = &renderer->frame;
+    const size_t row = 4 * (size_t)CSG_DATA_WIDTH;
+    const size_t missing = (row - frame->texels.num % row) % row;
+    if (!csg_array_reserve(&frame->texels, missing + row))
+        return csg_log_memory(&renderer->log);
+    memset(frame->texels.data + frame->texels.num, 0, (missing + row) * sizeof(float));
+    const int rows = (int)((frame->texels.num + missing) / row);
+    GLint max_rows = 0;
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_rows);
+    if (rows > max_rows) {
+        csg_log_error(&renderer->log, CSGCAST_MESSAGE_CONTEXT,
+                      "the scene needs a data texture of %d x %d texels and this driver allows %d "
+                      "rows: use --backend=reference, or split the scene",
+                      CSG_DATA_WIDTH, rows, max_rows);
+        return false;
+    }
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D, renderer->data_texture);
+    if (rows > renderer->data_rows) {
+        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, CSG_DATA_WIDTH, rows, 0, GL_RGBA, GL_FLOAT,
+                       frame->texels.data);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        renderer->data_rows = rows;
+    } else if (rows) {
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, CSG_DATA_WIDTH, rows, GL_RGBA, GL_FLOAT,
+                          frame->texels.data);
+    }
+    renderer->stats.texture_bytes = (size_t)rows * row * sizeof(float);
+    return true;
+}
+
+static bool upload_instances(struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    const size_t num = renderer->frame.draws.num;
+    struct csg_instance *instances = malloc((num + 1) * sizeof *instances);
+    if (!instances)
+        return csg_log_memory(&renderer->log);
+    for (size_t i = 0; i < num; i++)
+        instances[i] = renderer->frame.draws.data[i].instance;
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->instance_buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(num * sizeof *instances), instances,
+                   GL_STREAM_DRAW);
+    free(instances);
+    renderer->stats.bytes_uploaded = renderer->stats.texture_bytes + num * sizeof *instances;
+    return true;
+}
+
+static void ensure_buffers(struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    if (renderer->data_texture)
+        return;
+    gl->GenTextures(1, &renderer->data_texture);
+    gl->GenBuffers(1, &renderer->instance_buffer);
+    gl->GenVertexArrays(1, &renderer->vertex_array);
+    gl->GenVertexArrays(1, &renderer->empty_array);
+}
+
+static bool draw_bands(struct picture *picture)
+{
+    const struct csg_request *request = picture->request;
+    int rows = MAX_BAND_PIXELS / request->width;
+    rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
+    if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows))
+        return false;
+    float *pixels = malloc(4 * (size_t)request->width * (size_t)rows * sizeof *pixels);
+    if (!pixels)
+        return csg_log_memory(&picture->renderer->log);
+    picture->gl->ActiveTexture(GL_TEXTURE0);
+    picture->gl->BindTexture(GL_TEXTURE_2D, picture->renderer->data_texture);
+    for (int row = 0; row < request->height; row += rows) {
+        picture->first_row = row;
+        picture->num_rows = rows < request->height - row ? rows : request->height - row;
+        draw_band(picture);
+        read_band(picture, pixels);
+    }
+    free(pixels);
+    return true;
+}
+
+bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    const struct csg_frame_params params = {&request->frustum, request->width, request->height,
+                                            request->scheme, request->view->cut_color};
+    const double start = csg_clock_ms();
+    if (!csg_frame_fill(&renderer->frame, request->scene, &params))
+        return csg_log_memory(&renderer->log);
+    renderer->stats.cpu_ms = csg_clock_ms() - start;
+    ensure_buffers(renderer);
+    struct picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
+    picture.want_geometry = request->image->z || request->image->normal;
+    picture.want_leaf = request->image->id != NULL;
+    picture.shade = csg_programs_shade(&renderer->programs);
+    const bool ok = picture.shade && csg_batches_fill(&picture.batches, renderer, request) &&
+                    upload_data(renderer) && upload_instances(renderer) && draw_bands(&picture);
+    struct csgcast_stats *stats = &renderer->stats;
+    stats->objects_drawn = renderer->frame.draws.num;
+    stats->proxy_pixels = renderer->frame.proxy_pixels;
+    size_t used = 0;
+    for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
+        if (picture.batches.drawn[i] && used < sizeof stats->variants)
+            used += (size_t)snprintf(stats->variants + used, sizeof stats->variants - used,
+                                     "%s%s %zu", used ? ", " : "", csg_resolver_names[i],
+                                     picture.batches.drawn[i]);
+    free(picture.batches.data);
+    return ok;
+}

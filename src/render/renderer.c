@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/renderer.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/clock.h"
+#include "reference/reference.h"
+
+const char *csgcast_version(void)
+{
+    return CSGCAST_VERSION_STRING;
+}
+
+struct csgcast_renderer *csgcast_renderer_create(const struct csgcast_renderer_params *params)
+{
+    static const struct csgcast_renderer_params defaults;
+    if (!params)
+        params = &defaults;
+    const struct csg_log log = {params->log, params->log_user};
+    struct csgcast_renderer *renderer = calloc(1, sizeof *renderer);
+    if (!renderer) {
+        csg_log_memory(&log);
+        return NULL;
+    }
+    renderer->log = log;
+    if (params->backend != CSGCAST_BACKEND_REFERENCE) {
+        renderer->gl = csg_gl_create(params->backend, &log);
+        renderer->programs.gl = renderer->gl;
+        if (!renderer->gl) {
+            free(renderer);
+            return NULL;
+        }
+    }
+    return renderer;
+}
+
+static void finish_gl(struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    if (csg_gl_enter(gl)) {
+        csg_programs_finish(&renderer->programs);
+        csg_targets_finish(&renderer->targets, gl);
+        gl->DeleteTextures(1, &renderer->data_texture);
+        gl->DeleteBuffers(1, &renderer->instance_buffer);
+        gl->DeleteVertexArrays(1, &renderer->vertex_array);
+        gl->DeleteVertexArrays(1, &renderer->empty_array);
+        csg_gl_leave(gl);
+    }
+    csg_gl_destroy(gl);
+}
+
+void csgcast_renderer_destroy(struct csgcast_renderer *renderer)
+{
+    if (!renderer)
+        return;
+    if (renderer->gl)
+        finish_gl(renderer);
+    csg_frame_finish(&renderer->frame);
+    free(renderer);
+}
+
+const char *csgcast_renderer_name(const struct csgcast_renderer *renderer)
+{
+    return renderer->gl ? renderer->gl->name : "reference: double precision, no OpenGL";
+}
+
+static int find_resolver(const char *name)
+{
+    if (!name || strcmp(name, "auto") == 0)
+        return -1;
+    for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
+        if (strcmp(csg_resolver_names[i], name) == 0)
+            return i;
+    return CSG_NUM_RESOLVERS;
+}
+
+static bool argument_error(const struct csgcast_renderer *renderer, const char *what,
+                           const char *value)
+{
+    csg_log_error(&renderer->log, CSGCAST_MESSAGE_ARGUMENT, "there is no %s '%s'", what, value);
+    return false;
+}
+
+static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_request *request)
+{
+    const struct csgcast_view *view = request->view;
+    request->width = view->width ? view->width : 512;
+    request->height = view->height ? view->height : 512;
+    request->scheme = csg_colorscheme_find(view->colorscheme);
+    request->resolver = find_resolver(view->variant);
+    if (!request->scheme)
+        return argument_error(renderer, "colour scheme", view->colorscheme);
+    if (request->resolver == CSG_NUM_RESOLVERS)
+        return argument_error(renderer, "variant", view->variant);
+    return csgcast_view_resolve(request->scene, view, &request->frustum);
+}
+
+static void count_hits(struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    const size_t num = (size_t)request->width * (size_t)request->height;
+    const struct csgcast_image *image = request->image;
+    renderer->stats.hit_pixels = 0;
+    for (size_t i = 0; i < num; i++)
+        renderer->stats.hit_pixels += (image->id && image->id[i] >= 0) ||
+                                      (!image->id && image->z && image->z[i] < INFINITY);
+}
+
+static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    if (!csg_gl_enter(renderer->gl))
+        return false;
+    const double compiled = renderer->programs.compile_ms;
+    const bool drawn = csg_picture_render(renderer, request);
+    renderer->stats.compile_ms = renderer->programs.compile_ms - compiled;
+    renderer->stats.programs = renderer->programs.compiled.num;
+    return csg_gl_leave(renderer->gl) && drawn;
+}
+
+bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                    const struct csgcast_view *view, const struct csgcast_image *image)
+{
+    static const struct csgcast_view default_view;
+    const double start = csg_clock_ms();
+    struct csg_request request = {.scene = scene, .view = view ? view : &default_view,
+                                  .image = image};
+    if (!resolve_request(renderer, &request))
+        return false;
+    renderer->stats = (struct csgcast_stats){0};
+    const struct csg_reference_params params = {
+        &request.frustum, request.width, request.height, request.scheme, request.view->cut_color};
+    const bool ok = renderer->gl ? render_with_gl(renderer, &request)
+                                 : csg_reference_render(scene, &params, image, &renderer->log);
+    if (!renderer->gl)
+        memcpy(renderer->stats.variants, "reference", sizeof "reference");
+    if (ok)
+        count_hits(renderer, &request);
+    renderer->stats.frame_ms = csg_clock_ms() - start;
+    return ok;
+}
+
+void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
+                                struct csgcast_stats *stats)
+{
+    *stats = renderer->stats;
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_RENDERER_H
+#define CSG_RENDER_RENDERER_H
+
+#include "pack/frame.h"
+#include "render/programs.h"
+#include "render/targets.h"
+
+struct csgcast_renderer {
+    struct csg_log log;
+    struct csg_gl *gl; /* NULL: the reference ray caster */
+    struct csg_programs programs;
+    struct csg_targets targets;
+    GLuint data_texture;
+    int data_rows; /* allocated */
+    GLuint vertex_array, instance_buffer, empty_array;
+    struct csg_frame frame;
+    struct csgcast_stats stats;
+};
+
+/* What one csgcast_render call asks for, resolved. */
+struct csg_request {
+    const struct csgcast_scene *scene;
+    const struct csgcast_view *view;
+    struct csgcast_frustum frustum;
+    const struct csg_colorscheme *scheme;
+    int width, height;
+    int resolver; /* enum csg_resolver, or -1 for the best */
+    const struct csgcast_image *image;
+};
+
+/* Draws with OpenGL; the renderer's context is current. false, with a message, on failure. */
+bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request);
+
+/* Objects of enum csg_resolver's kinds drawn, for the statistics. */
+struct csg_batch {
+    GLuint program;
+    enum csg_resolver resolver;
+    uint8_t layer;
+    bool translucent;
+    uint32_t first, num; /* instances */
+};
+
+struct csg_batches {
+    struct csg_batch *data;
+    size_t num, capacity;
+    size_t drawn[CSG_NUM_RESOLVERS];
+};
+
+/* Chooses a program for every draw of the frame; runs of equal ones become batches, file order
+ * kept. false, with a message, on failure. */
+bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
+                      const struct csg_request *request);
+
+#endif

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/build.h"
+
+#include <stdlib.h>
+
+/* Each # adds its subtree to the highlight layer once more. Nested in differences they could make
+ * it quadratic in the size of the text; beyond this many times the text's nodes they are left out. */
+enum { max_highlight_growth = 16 };
+
+/* A Boolean node that is being built. */
+struct open {
+    uint32_t end;  /* of its subtree, in the document */
+    uint32_t node; /* in the tree */
+    uint32_t num_operands;
+    uint8_t role;
+    bool negated;
+};
+
+struct tree_builder {
+    const struct csg_builder *builder;
+    struct csg_tree *tree;
+    CSG_ARRAY(struct open) open;
+};
+
+static bool push_node(struct tree_builder *build, enum csg_op op, bool negated, uint32_t leaf)
+{
+    const struct csg_node node = {(uint8_t)op, negated, leaf, (uint32_t)build->tree->num + 1};
+    return csg_array_push(build->tree, node);
+}
+
+/* The empty set is an OR of nothing, its complement an AND of nothing. */
+static bool push_leaf(struct tree_builder *build, uint32_t leaf, bool negated)
+{
+    if (leaf != CSG_NO_LEAF)
+        return push_node(build, CSG_LEAF, negated, leaf);
+    return push_node(build, negated ? CSG_AND : CSG_OR, false, 0);
+}
+
+/* De Morgan: a negated union is an intersection of complements and the other way round. */
+static bool open_node(struct tree_builder *build, uint32_t node, bool negated)
+{
+    const uint8_t role = build->builder->meanings[node].role;
+    const struct open open = {.end = build->builder->document->nodes.data[node].end,
+                              .node = (uint32_t)build->tree->num,
+                              .role = role,
+                              .negated = negated};
+    const bool is_or = (role == CSG_ROLE_UNION) != negated;
+    return push_node(build, is_or ? CSG_OR : CSG_AND, false, 0) &&
+           csg_array_push(&build->open, open);
+}
+
+/* A difference or intersection of nothing is empty, as a union of nothing is. */
+static void close_node(struct tree_builder *build)
+{
+    const struct open *open = &build->open.data[--build->open.num];
+    struct csg_node *node = &build->tree->data[open->node];
+    node->end = (uint32_t)build->tree->num;
+    if (open->num_operands == 0)
+        node->op = open->negated ? CSG_AND : CSG_OR;
+}
+
+/* Whether the next operand of the innermost open node is complemented; counts it. */
+static bool take_operand(struct tree_builder *build)
+{
+    if (build->open.num == 0)
+        return false;
+    struct open *open = &build->open.data[build->open.num - 1];
+    const bool is_subtracted = open->role == CSG_ROLE_DIFFERENCE && open->num_operands > 0;
+    open->num_operands++;
+    return open->negated != is_subtracted;
+}
+
+static bool add_subtree(struct tree_builder *build, uint32_t root)
+{
+    const struct csg_parsed_node *nodes = build->builder->document->nodes.data;
+    const uint32_t end = nodes[root].end;
+    bool done = true;
+    for (uint32_t i = root; done && i < end;) {
+        const struct csg_meaning *meaning = &build->builder->meanings[i];
+        while (build->open.num > 0 && build->open.data[build->open.num - 1].end <= i)
+            close_node(build);
+        if (i != root && csg_is_left_out(&nodes[i])) {
+            i = nodes[i].end;
+        } else if (csg_has_children(meaning)) {
+            done = open_node(build, i, take_operand(build));
+            i++;
+        } else {
+            done = push_leaf(build, meaning->leaf, take_operand(build));
+            i = nodes[i].end;
+        }
+    }
+    while (build->open.num > 0)
+        close_node(build);
+    return done;
+}
+
+/* ---- layers ------------------------------------------------------------------------------- */
+
+static bool is_model_root(const struct csg_builder *builder, uint32_t node)
+{
+    return !csg_is_left_out(&builder->document->nodes.data[node]);
+}
+
+static bool is_background(const struct csg_builder *builder, uint32_t node)
+{
+    return (builder->document->nodes.data[node].modifiers & CSG_MODIFIER_BACKGROUND) != 0;
+}
+
+static bool is_highlight(const struct csg_builder *builder, uint32_t node)
+{
+    const uint8_t modifiers = builder->document->nodes.data[node].modifiers;
+    return (modifiers & CSG_MODIFIER_HIGHLIGHT) != 0 && !builder->meanings[node].is_covered;
+}
+
+struct layer_rule {
+    enum csg_layer layer;
+    bool nested; /* looks for roots inside of others and below nodes that are none */
+    bool (*is_root)(const struct csg_builder *builder, uint32_t node);
+};
+
+static const struct layer_rule layer_rules[CSG_NUM_LAYERS] = {
+    {CSG_LAYER_MODEL, false, is_model_root},
+    {CSG_LAYER_BACKGROUND, true, is_background},
+    {CSG_LAYER_HIGHLIGHT, true, is_highlight},
+};
+
+static bool is_too_large(const struct tree_builder *build, const struct csg_parsed_node *node)
+{
+    const size_t num_nodes = build->builder->document->nodes.num;
+    if (build->tree->num / max_highlight_growth <= num_nodes)
+        return false;
+    csg_report_warning(build->builder->report, CSGCAST_MESSAGE_SCENE, node->place,
+                       "too many '#' inside of each other; the highlights from here on are left "
+                       "out");
+    return true;
+}
+
+/* A layer is the union of the subtrees that its rule picks. */
+static bool add_roots(struct tree_builder *build, const struct layer_rule *rule)
+{
+    const struct csg_builder *builder = build->builder;
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    bool done = true, is_full = false;
+    for (uint32_t i = builder->begin; done && !is_full && i < builder->end;) {
+        const bool is_off = (nodes[i].modifiers & CSG_MODIFIER_DISABLE) != 0;
+        if (!is_off && rule->is_root(builder, i)) {
+            is_full = is_too_large(build, &nodes[i]);
+            done = is_full || add_subtree(build, i);
+        }
+        const bool descend = rule->nested && !is_off && csg_has_children(&builder->meanings[i]);
+        i = descend ? i + 1 : nodes[i].end;
+    }
+    return done;
+}
+
+static bool build_layer(const struct csg_builder *builder, const struct layer_rule *rule)
+{
+    struct csg_tree *tree = &builder->scene->trees[rule->layer];
+    struct tree_builder build = {.builder = builder, .tree = tree};
+    bool done = push_node(&build, CSG_OR, false, 0) && add_roots(&build, rule);
+    free(build.open.data);
+    if (!done)
+        return csg_log_memory(&builder->report->log);
+    tree->data[0].end = (uint32_t)tree->num;
+    if (tree->num == 1)
+        tree->num = 0; /* nothing: the empty tree */
+    return true;
+}
+
+bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
+               enum csgcast_facets facets, bool skip_unsupported, struct csg_report *report)
+{
+    struct csg_builder builder = {.document = document,
+                                  .report = report,
+                                  .scene = scene,
+                                  .facets = facets,
+                                  .skip_unsupported = skip_unsupported};
+    bool done = csg_build_meanings(&builder) && csg_build_leaves(&builder);
+    for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
+        done = build_layer(&builder, &layer_rules[i]);
+    free(builder.meanings);
+    return done;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "common/array.h"
+
+/* Room asked for at a time where the size is not known. */
+static const size_t chunk_size = 1 << 16;
+
+bool csg_file_read_all(int fd, struct csg_bytes *bytes)
+{
+    for (;;) {
+        if (!csg_array_reserve(bytes, chunk_size)) {
+            errno = ENOMEM;
+            return false;
+        }
+        const ssize_t got = read(fd, bytes->data + bytes->num, bytes->capacity - bytes->num);
+        if (got == 0)
+            return true;
+        if (got > 0)
+            bytes->num += (size_t)got;
+        else if (errno != EINTR)
+            return false;
+    }
+}
+
+/* A regular file's size is known: one allocation. */
+static bool read_sized(int fd, struct csg_bytes *bytes)
+{
+    struct stat info;
+    if (fstat(fd, &info) != 0)
+        return false;
+    if (S_ISREG(info.st_mode) && info.st_size > 0 &&
+        !csg_array_reserve(bytes, (size_t)info.st_size + chunk_size)) {
+        errno = ENOMEM;
+        return false;
+    }
+    return csg_file_read_all(fd, bytes);
+}
+
+bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log)
+{
+    const bool is_input = strcmp(path, "-") == 0;
+    const int fd = is_input ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    *bytes = (struct csg_bytes){0};
+    const bool done = fd >= 0 && read_sized(fd, bytes);
+    if (!done) {
+        csg_log_error(log, CSGCAST_MESSAGE_FILE, "cannot read %s: %s",
+                      is_input ? "standard input" : path, strerror(errno));
+        free(bytes->data);
+        *bytes = (struct csg_bytes){0};
+    }
+    if (fd >= 0 && !is_input)
+        close(fd);
+    return done;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_FILE_H
+#define CSG_SCENE_FILE_H
+
+#include <stddef.h>
+
+#include "common/log.h"
+
+/* The bytes of a file; the caller frees data. */
+struct csg_bytes {
+    char *data;
+    size_t num, capacity;
+};
+
+/* Reads a whole file of any size, "-" being standard input. false: a message was given. */
+bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log);
+
+/* Reads an open file to its end. false, with errno set, on failure. */
+bool csg_file_read_all(int fd, struct csg_bytes *bytes);
+
+#endif

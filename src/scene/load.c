@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/load.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/build.h"
+#include "scene/openscad.h"
+
+static const struct csgcast_scene_params default_params;
+
+static bool ends_with(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), ending_length = strlen(ending);
+    if (length < ending_length)
+        return false;
+    for (size_t i = 0; i < ending_length; i++) {
+        const char c = path[length - ending_length + i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i])
+            return false;
+    }
+    return true;
+}
+
+static bool fill(struct csgcast_scene *scene, const char *text, size_t size,
+                 const struct csgcast_scene_params *params, struct csg_report *report)
+{
+    struct csg_document document;
+    const bool done =
+        csg_document_parse(&document, size > 0 ? text : "", size, report) &&
+        csg_build(scene, &document, params->facets, params->skip_unsupported, report);
+    csg_document_finish(&document);
+    return csg_report_finish(report) && done;
+}
+
+struct csgcast_scene *csg_scene_read(const char *text, size_t size,
+                                     const struct csgcast_scene_params *params)
+{
+    const struct csgcast_scene_params *used = params ? params : &default_params;
+    const char *name = used->name ? used->name : "<memory>";
+    const struct csg_log log = {used->log, used->log_user};
+    struct csg_report report;
+    struct csgcast_scene *scene = csg_scene_create(&log, name);
+    if (!scene)
+        return NULL;
+    csg_report_init(&report, &log, name);
+    if (fill(scene, text, size, used, &report))
+        return scene;
+    csgcast_scene_destroy(scene);
+    return NULL;
+}
+
+struct csgcast_scene *csgcast_scene_parse(const char *text, size_t size,
+                                          const struct csgcast_scene_params *params)
+{
+    struct csgcast_scene *scene = csg_scene_read(text, size, params);
+    if (scene && csg_scene_finish(scene))
+        return scene;
+    csgcast_scene_destroy(scene);
+    return NULL;
+}
+
+static struct csgcast_scene *load_csg(const char *path, const struct csgcast_scene_params *params,
+                                      const struct csg_log *log)
+{
+    struct csgcast_scene_params named = *params;
+    struct csg_bytes text;
+    if (!csg_file_read(path, &text, log))
+        return NULL;
+    if (!named.name)
+        named.name = strcmp(path, "-") == 0 ? "<stdin>" : path;
+    struct csgcast_scene *scene = csgcast_scene_parse(text.data, text.num, &named);
+    free(text.data);
+    return scene;
+}
+
+/* Messages about the flattened text say so: its lines are not those of the .scad file. */
+static struct csgcast_scene *load_scad(const char *path, const struct csgcast_scene_params *params,
+                                       const struct csg_log *log)
+{
+    static const char suffix[] = " (flattened by openscad)";
+    struct csgcast_scene_params named = *params;
+    struct csgcast_scene *scene = NULL;
+    struct csg_bytes text = {0};
+    const char *base = params->name ? params->name : path;
+    const size_t size = strlen(base) + sizeof suffix;
+    char *name = malloc(size);
+    if (!name) {
+        csg_log_memory(log);
+        return NULL;
+    }
+    snprintf(name, size, "%s%s", base, suffix);
+    named.name = name;
+    if (csg_openscad_flatten(path, params, log, &text))
+        scene = csgcast_scene_parse(text.data, text.num, &named);
+    free(text.data);
+    free(name);
+    return scene;
+}
+
+struct csgcast_scene *csgcast_scene_load(const char *path,
+                                         const struct csgcast_scene_params *params)
+{
+    const struct csgcast_scene_params *used = params ? params : &default_params;
+    const struct csg_log log = {used->log, used->log_user};
+    if (!path) {
+        csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a path");
+        return NULL;
+    }
+    return ends_with(path, ".scad") ? load_scad(path, used, &log) : load_csg(path, used, &log);
+}

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/build.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Characters of a name that a message quotes. */
+enum { shown_length = 40 };
+
+static const char *name_of(const struct csg_builder *builder, uint32_t node)
+{
+    return builder->document->text + builder->document->nodes.data[node].at;
+}
+
+/* The first ! in the order of the text wins, as in OpenSCAD; the others only get a warning. */
+static void select_root(struct csg_builder *builder)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    const uint32_t num = (uint32_t)builder->document->nodes.num;
+    bool found = false;
+    builder->begin = 0;
+    builder->end = num;
+    for (uint32_t i = 0; i < num;) {
+        if (nodes[i].modifiers & CSG_MODIFIER_DISABLE) {
+            i = nodes[i].end;
+            continue;
+        }
+        if (nodes[i].modifiers & CSG_MODIFIER_ROOT && found) {
+            csg_report_warning(builder->report, CSGCAST_MESSAGE_SCENE, nodes[i].place,
+                               "a second '!'; only the first one in the text counts");
+        } else if (nodes[i].modifiers & CSG_MODIFIER_ROOT) {
+            builder->begin = i;
+            builder->end = nodes[i].end;
+            found = true;
+        }
+        i++;
+    }
+}
+
+static void report_unsupported(struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
+    const char *outcome = builder->skip_unsupported
+                              ? "left out with all that is in it"
+                              : "--skip-unsupported draws the rest";
+    csg_report_print(builder->report,
+                     builder->skip_unsupported ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
+                     CSGCAST_MESSAGE_UNSUPPORTED, parsed->place, "%.*s is not supported yet; %s",
+                     (int)parsed->name_length, name_of(builder, node), outcome);
+}
+
+static void report_unknown(struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
+    const bool too_long = parsed->name_length > shown_length;
+    const char *nearest = csg_node_suggest(name_of(builder, node), parsed->name_length);
+    char hint[64] = "";
+    if (builder->skip_unsupported)
+        snprintf(hint, sizeof hint, "; left out with all that is in it");
+    else if (nearest)
+        snprintf(hint, sizeof hint, "; did you mean '%s'?", nearest);
+    csg_report_print(builder->report,
+                     builder->skip_unsupported ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
+                     CSGCAST_MESSAGE_UNSUPPORTED, parsed->place, "unknown node '%.*s%s'%s",
+                     (int)(too_long ? shown_length : parsed->name_length), name_of(builder, node),
+                     too_long ? "..." : "", hint);
+}
+
+static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t node)
+{
+    const size_t length = builder->document->nodes.data[node].name_length;
+    const char *name = name_of(builder, node);
+    const struct csg_node_ops *ops = csg_node_find(name, length);
+    struct csg_meaning meaning = {.role = CSG_ROLE_UNKNOWN, .leaf = CSG_NO_LEAF};
+    if (ops) {
+        meaning.role = (uint8_t)ops->role;
+    } else {
+        meaning.kind = (uint8_t)csg_solid_find(name, length);
+        meaning.role = meaning.kind < CSG_NUM_KINDS ? CSG_ROLE_SOLID : CSG_ROLE_UNKNOWN;
+    }
+    return meaning;
+}
+
+/* What a highlighted union holds needs no highlight of its own; the operands of a difference or
+ * an intersection do, they reach beyond it. */
+static void cover_children(struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    const struct csg_meaning *meaning = &builder->meanings[node];
+    const bool is_covering = meaning->role == CSG_ROLE_UNION &&
+                             (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
+    for (uint32_t i = node + 1; is_covering && i < nodes[node].end; i = nodes[i].end)
+        builder->meanings[i].is_covered = !csg_is_left_out(&nodes[i]);
+}
+
+/* Returns the node to go on with: the next in the text, or the one behind this subtree. */
+static uint32_t assign_meaning(struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
+    struct csg_meaning *meaning = &builder->meanings[node];
+    const bool is_covered = meaning->is_covered;
+    *meaning = meaning_of(builder, node);
+    meaning->is_covered = is_covered;
+    cover_children(builder, node);
+    if (meaning->role == CSG_ROLE_UNSUPPORTED || meaning->role == CSG_ROLE_UNKNOWN) {
+        if (meaning->role == CSG_ROLE_UNSUPPORTED)
+            report_unsupported(builder, node);
+        else
+            report_unknown(builder, node);
+        return builder->skip_unsupported ? parsed->end : node + 1;
+    }
+    if (meaning->role == CSG_ROLE_SOLID && parsed->end > node + 1) {
+        csg_report_warning(builder->report, CSGCAST_MESSAGE_SCENE, parsed[1].place,
+                           "%s is a solid and has no children; they are left out",
+                           csg_solids[meaning->kind]->name);
+        return parsed->end;
+    }
+    return node + 1;
+}
+
+bool csg_build_meanings(struct csg_builder *builder)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    select_root(builder);
+    builder->meanings = calloc(builder->document->nodes.num + 1, sizeof *builder->meanings);
+    if (!builder->meanings)
+        return csg_log_memory(&builder->report->log);
+    for (uint32_t i = builder->begin; i < builder->end;)
+        i = nodes[i].modifiers & CSG_MODIFIER_DISABLE ? nodes[i].end : assign_meaning(builder, i);
+    return true;
+}

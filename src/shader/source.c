@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+#include "shader/source.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shader/files.h"
+
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "loop", "algorithm4"};
+
+const char *csgcast_variant_name(size_t index)
+{
+    if (index == 0)
+        return "auto";
+    return index <= CSG_NUM_RESOLVERS ? csg_resolver_names[index - 1] : NULL;
+}
+
+void csg_text_add(struct csg_text *text, const char *format, ...)
+{
+    va_list args, again;
+    va_start(args, format);
+    va_copy(again, args);
+    const int length = vsnprintf(NULL, 0, format, args);
+    text->failed |= length < 0 || !csg_array_reserve(text, (size_t)length + 1);
+    if (!text->failed) {
+        vsnprintf(text->data + text->num, (size_t)length + 1, format, again);
+        text->num += (size_t)length;
+    }
+    va_end(again);
+    va_end(args);
+}
+
+static void add_file(struct csg_text *text, const char *name)
+{
+    for (size_t i = 0; i < csg_num_shader_files; i++)
+        if (strcmp(csg_shader_files[i].name, name) == 0)
+            csg_text_add(text, "#line 1\n%s", csg_shader_files[i].text);
+}
+
+static char *finish_text(struct csg_text *text)
+{
+    if (!text->failed)
+        return text->data;
+    free(text->data);
+    return NULL;
+}
+
+static size_t num_planes(const struct csg_structure *structure, size_t step)
+{
+    return structure->scene->leaves[structure->steps[step].leaf].shape.num_planes;
+}
+
+int csg_structure_features(const struct csg_structure *structure)
+{
+    int features = 0;
+    for (size_t i = 0; i < structure->num; i++) {
+        features |= structure->steps[i].flags & CSG_RECORD_QUADRIC ? CSG_FEATURE_QUADRIC : 0;
+        features |= structure->steps[i].flags & CSG_RECORD_GAP ? CSG_FEATURE_GAP : 0;
+    }
+    return features;
+}
+
+size_t csg_structure_crossings(const struct csg_structure *structure)
+{
+    size_t crossings = 0;
+    for (size_t i = 0; i < structure->num; i++)
+        if (!(structure->steps[i].flags & CSG_RECORD_POP))
+            crossings += structure->steps[i].flags & CSG_RECORD_GAP ? 4 : 2;
+    return crossings;
+}
+
+bool csg_structure_is_small(const struct csg_structure *structure)
+{
+    if (structure->num > CSG_STRAIGHT_MAX_STEPS)
+        return false;
+    for (size_t i = 0; i < structure->num; i++)
+        if (!(structure->steps[i].flags & CSG_RECORD_POP) &&
+            num_planes(structure, i) > CSG_STRAIGHT_MAX_PLANES)
+            return false;
+    return true;
+}
+
+static void add_preamble(struct csg_text *text)
+{
+    csg_text_add(text, "#version 330 core\n"
+                       "precision highp float;\n");
+    add_file(text, "common/layout.glsl");
+}
+
+static void add_resolver(struct csg_text *text, enum csg_resolver resolver,
+                         const struct csg_structure *structure)
+{
+    add_file(text, "csg/spans.glsl");
+    add_file(text, "csg/change.glsl");
+    if (resolver == CSG_RESOLVER_STRAIGHT) {
+        csg_source_straight(text, structure);
+        return;
+    }
+    add_file(text, "csg/program.glsl");
+    if (resolver == CSG_RESOLVER_ALGORITHM4) {
+        csg_text_add(text, "#define CSG_MAX_CROSSINGS %d\n", CSG_ALGORITHM4_MAX_CROSSINGS);
+        add_file(text, "csg/algorithm4.glsl");
+    } else {
+        add_file(text, "csg/resolve.glsl");
+    }
+}
+
+char *csg_source_geometry(enum csg_resolver resolver, int features,
+                          const struct csg_structure *structure)
+{
+    struct csg_text text = {0};
+    add_preamble(&text);
+    if (features & CSG_FEATURE_QUADRIC)
+        csg_text_add(&text, "#define CSG_HAS_QUADRIC\n");
+    if (features & CSG_FEATURE_GAP)
+        csg_text_add(&text, "#define CSG_HAS_GAP\n");
+    add_file(&text, "common/data.glsl");
+    add_file(&text, "common/screen.glsl");
+    add_file(&text, "solids/planes.glsl");
+    if (features & CSG_FEATURE_QUADRIC)
+        add_file(&text, "solids/quadric.glsl");
+    add_resolver(&text, resolver, structure);
+    add_file(&text, "passes/geometry.frag.glsl");
+    return finish_text(&text);
+}
+
+char *csg_source_stage(const char *const *files)
+{
+    struct csg_text text = {0};
+    add_preamble(&text);
+    for (; *files; files++)
+        add_file(&text, *files);
+    return finish_text(&text);
+}

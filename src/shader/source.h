@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SHADER_SOURCE_H
+#define CSG_SHADER_SOURCE_H
+
+/* Shader texts, put together from shaders/ and from what the objects at hand need. */
+
+#include "csg/program.h"
+
+/* How an object's first visible point is found; docs/pipeline.md compares them. */
+enum csg_resolver {
+    CSG_RESOLVER_STRAIGHT,   /* structure compiled in: straight-line code for one small tree */
+    CSG_RESOLVER_LOOP,       /* any tree, read from the data texture, no array of crossings */
+    CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
+    CSG_NUM_RESOLVERS
+};
+
+extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];
+
+/* What a program must be able to do, besides its resolver. */
+enum csg_feature {
+    CSG_FEATURE_QUADRIC = 1, /* some leaf has a quadric */
+    CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
+};
+
+/* The largest tree for straight-line code: compile time grows by some ms a leaf. */
+#define CSG_STRAIGHT_MAX_STEPS 24
+#define CSG_STRAIGHT_MAX_PLANES 8
+
+/* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
+#define CSG_ALGORITHM4_MAX_CROSSINGS 256
+
+struct csg_text {
+    char *data; /* zero-terminated; NULL when memory ran out */
+    size_t num, capacity;
+    bool failed;
+};
+
+void csg_text_add(struct csg_text *text, const char *format, ...) CSG_PRINTF(2, 3);
+
+/* Steps of one object, and the number of planes of each. */
+struct csg_structure {
+    const struct csg_step *steps;
+    size_t num;
+    const struct csgcast_scene *scene;
+};
+
+int csg_structure_features(const struct csg_structure *structure);
+size_t csg_structure_crossings(const struct csg_structure *structure);
+bool csg_structure_is_small(const struct csg_structure *structure);
+
+/*
+ * Fragment shader of the geometry pass. structure is only looked at by STRAIGHT. The text is the
+ * same for equal structures, so it is the key under which programs are cached; NULL: no memory.
+ */
+char *csg_source_geometry(enum csg_resolver resolver, int features,
+                          const struct csg_structure *structure);
+
+/* The other stages: vertex shaders and the shading pass. */
+char *csg_source_stage(const char *const *files);
+
+/* csg_resolve as straight-line code for structure, appended to text. */
+void csg_source_straight(struct csg_text *text, const struct csg_structure *structure);
+
+#endif

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+#include "solids/shape.h"
+
+#include <stdlib.h>
+
+void csg_shape_finish(struct csg_shape *shape)
+{
+    free(shape->planes);
+    shape->planes = NULL;
+    shape->num_planes = 0;
+}
+
+/* n.x <= d with x = inverse(y) is transpose(L) n . y <= d - n . offset, L and offset of inverse. */
+static struct csg_plane map_plane(const struct csg_plane *plane, const struct csg_map *inverse)
+{
+    const struct csg_vec3 normal = csg_map_transposed(inverse, plane->normal);
+    const struct csg_vec3 shift = csg_vec3(inverse->m[0][3], inverse->m[1][3], inverse->m[2][3]);
+    const double length = csg_length(normal);
+    return (struct csg_plane){csg_scale(1 / length, normal),
+                              (plane->offset - csg_dot(plane->normal, shift)) / length};
+}
+
+bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
+{
+    struct csg_map inverse;
+    if (!csg_map_invert(map, &inverse))
+        return false;
+    for (size_t i = 0; i < shape->num_planes; i++)
+        shape->planes[i] = map_plane(&shape->planes[i], &inverse);
+    if (shape->has_quadric)
+        shape->quadric.to_canon = csg_map_multiply(&shape->quadric.to_canon, &inverse);
+    shape->frame = csg_map_multiply(map, &shape->frame);
+    return true;
+}
+
+/* There is room for the next power of two of planes: only this function makes it. */
+static bool make_room(struct csg_shape *shape)
+{
+    const size_t num = shape->num_planes;
+    if (num & (num - 1))
+        return true;
+    struct csg_plane *planes = realloc(shape->planes, (num ? 2 * num : 1) * sizeof *planes);
+    if (planes)
+        shape->planes = planes;
+    return planes != NULL;
+}
+
+/* Divided by the largest component first, so that no square overflows or underflows. */
+bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double offset)
+{
+    if (!make_room(shape))
+        return false;
+    const double size = fmax(fabs(normal.x), fmax(fabs(normal.y), fabs(normal.z)));
+    const struct csg_vec3 n = csg_vec3(normal.x / size, normal.y / size, normal.z / size);
+    const double length = csg_length(n);
+    shape->planes[shape->num_planes++] =
+        (struct csg_plane){csg_vec3(n.x / length, n.y / length, n.z / length),
+                           offset / size / length};
+    return true;
+}
+
+double csg_quadric_value(const struct csg_quadric *quadric, struct csg_vec3 x)
+{
+    const struct csg_vec3 p = csg_map_point(&quadric->to_canon, x);
+    const double *diag = quadric->diag;
+    return diag[0] * p.x * p.x + diag[1] * p.y * p.y + diag[2] * p.z * p.z +
+           2 * quadric->linear * p.z + diag[3];
+}
+
+struct csg_vec3 csg_quadric_gradient(const struct csg_quadric *quadric, struct csg_vec3 x)
+{
+    const struct csg_vec3 p = csg_map_point(&quadric->to_canon, x);
+    const struct csg_vec3 canonical =
+        csg_vec3(2 * quadric->diag[0] * p.x, 2 * quadric->diag[1] * p.y,
+                 2 * quadric->diag[2] * p.z + 2 * quadric->linear);
+    return csg_map_transposed(&quadric->to_canon, canonical);
+}
+
+static bool is_on_sheet(const struct csg_shape *shape, struct csg_vec3 p)
+{
+    return !shape->convex || shape->sheet * csg_map_point(&shape->quadric.to_canon, p).z >= 0;
+}
+
+bool csg_shape_contains(const struct csg_shape *shape, struct csg_vec3 p)
+{
+    for (size_t i = 0; i < shape->num_planes; i++)
+        if (!(csg_dot(shape->planes[i].normal, p) <= shape->planes[i].offset))
+            return false;
+    return !shape->has_quadric ||
+           (csg_quadric_value(&shape->quadric, p) <= 0 && is_on_sheet(shape, p));
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#include "solids/solid.h"
+
+#include <string.h>
+
+#define CSG_SOLID(kind) extern const struct csg_solid_ops csg_solid_##kind;
+#include "solids/solids.def"
+#undef CSG_SOLID
+
+const struct csg_solid_ops *const csg_solids[CSG_NUM_KINDS] = {
+#define CSG_SOLID(kind) &csg_solid_##kind,
+#include "solids/solids.def"
+#undef CSG_SOLID
+};
+
+enum csg_kind csg_solid_find(const char *name, size_t length)
+{
+    enum csg_kind kind = 0;
+    while (kind < CSG_NUM_KINDS && (strlen(csg_solids[kind]->name) != length ||
+                                    memcmp(csg_solids[kind]->name, name, length) != 0))
+        kind++;
+    return kind;
+}

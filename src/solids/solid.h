@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SOLIDS_SOLID_H
+#define CSG_SOLIDS_SOLID_H
+
+/*
+ * The kinds of solid. A kind is one folder src/solids/<kind>/ with one row in solids.def; the row
+ * names its csg_solid_ops. Nothing else in the house knows the kinds.
+ */
+
+#include <stdint.h>
+
+#include "common/log.h"
+#include "solids/shape.h"
+#include "solids/value.h"
+
+enum csg_read_result {
+    CSG_READ_OK,
+    CSG_READ_EMPTY, /* no volume, as OpenSCAD has it: contributes nothing, no message */
+    CSG_READ_ERROR, /* a message was logged */
+};
+
+struct csg_solid_ops {
+    const char *name;       /* as written in a scene */
+    const char *parameters; /* their names in positional order: "h r1 r2 center $fn $fa $fs" */
+    /* Fills shape (zeroed by the caller, frame identity) in the node's own space. */
+    enum csg_read_result (*read)(const struct csg_args *args, struct csg_shape *shape);
+};
+
+enum csg_kind {
+#define CSG_SOLID(kind) CSG_KIND_##kind,
+#include "solids/solids.def"
+#undef CSG_SOLID
+    CSG_NUM_KINDS
+};
+
+/* Indexed by enum csg_kind. */
+extern const struct csg_solid_ops *const csg_solids[CSG_NUM_KINDS];
+
+/* The kind with that name; CSG_NUM_KINDS when there is none. */
+enum csg_kind csg_solid_find(const char *name, size_t length);
+
+#endif

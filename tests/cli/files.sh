@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   files.sh CSGCAST: scenes in, images out, and nothing left behind when something fails.
+
+csgcast=$1
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$(readlink -f "$0")")/checks.sh"
+
+small=("--imgsize=32,24")
+echo 'difference() { cube(10, center = true); sphere(r = 6); }' >part.csg
+echo 'difference() { cube(10' >broken.csg
+printf 'cube(1);\nmagic(3);\n' >unknown.csg
+printf 'size = 2;\ncube(size);\n' >model.scad
+mkdir folder
+
+# Where images go.
+expect 0 "default output" render part.csg "${small[@]}"
+is_silent
+check "part.png is a PNG" is_png part.png
+rm part.png
+expect 0 "default output goes to the current directory" render ./folder/../part.csg "${small[@]}"
+rm part.png
+expect 0 "file name" render part.csg "${small[@]}" -o folder/x.png
+check "folder/x.png is a PNG" is_png folder/x.png
+expect 0 "float image" render part.csg "${small[@]}" -o folder/x.exr --aov=Z,N,id
+expect 0 "16 bits" render part.csg "${small[@]}" -o folder/x.tif --bits=16
+rm folder/x.*
+expect 0 "format against extension" render part.csg "${small[@]}" -o folder/x --format png
+check "folder/x is a PNG" is_png folder/x
+rm folder/x
+
+# Streams.
+"$csgcast" render - -o - "${small[@]}" <part.csg >piped.png 2>err
+report $? "standard input to standard output"
+is_silent
+check "the output is a PNG" is_png piped.png
+"$csgcast" render part.csg -o named.png "${small[@]}"
+"$csgcast" render part.csg -o again.png "${small[@]}"
+check "the same call gives the same bytes" cmp -s named.png again.png
+rm ./*.png
+expect 0 "statistics" render part.csg "${small[@]}" -o - --stats
+says "texture bytes"
+check "statistics stay out of the image" is_png out
+
+# Scenes that need openscad. A .scad from a folder of its own, as editors start us.
+expect 0 ".scad" render model.scad "${small[@]}" -D size=5 -o x.png
+check "x.png is a PNG" is_png x.png
+expect 1 "openscad is missing" render model.scad "${small[@]}" -o y.png --openscad=/nowhere/openscad
+says "openscad"
+OPENSCAD=/nowhere/else expect 1 "the same by the environment" render model.scad -o y.png
+expect 1 "openscad fails" render model.scad "${small[@]}" -o y.png --openscad=/bin/false
+rm x.png
+
+# Failures: the right exit code, a message with the place, no file, no leftover.
+before=(part.csg broken.csg unknown.csg model.scad folder)
+expect 1 "no such scene" render nothing.csg -o x.png
+says "nothing.csg"
+expect 1 "the scene is a folder" render folder -o x.png
+expect 1 "syntax error" render broken.csg -o x.png
+says "broken.csg:"
+expect 1 "unknown node" render unknown.csg -o x.png
+says "unknown.csg:2:1"
+holds_only "${before[@]}"
+expect 2 "image over scene" render part.csg -o ./part.csg --format=png
+expect 3 "no such folder" render part.csg "${small[@]}" -o nowhere/x.png
+says "nowhere/x.png"
+expect 3 "the image is a folder" render part.csg "${small[@]}" -o folder
+expect 3 "unknown extension" render part.csg "${small[@]}" -o x.unknown
+expect 3 "no extension" render part.csg "${small[@]}" -o x
+expect 3 "depth in a PNG" render part.csg "${small[@]}" -o x.png --aov=Z
+holds_only "${before[@]}"
+
+# An older image survives a failure.
+echo old >x.png
+expect 1 "failure over an older image" render broken.csg -o x.png
+check "the older image is untouched" grep -qx old x.png
+rm x.png
+
+if [[ -w /dev/full ]]; then
+    timeout 60 "$csgcast" render part.csg "${small[@]}" -o - >/dev/full 2>err
+    report $(($? != 3)) "standard output is full"
+    timeout 60 "$csgcast" info part.csg --no-gl >/dev/full 2>err
+    report $(($? != 3)) "standard output is full, info"
+fi
+
+# An empty scene is a picture of the background.
+expect 0 "empty scene" render - -o empty.png "${small[@]}" </dev/null
+check "empty.png is a PNG" is_png empty.png
+
+finish

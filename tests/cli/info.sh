@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   info.sh CSGCAST: the report about a scene, for people and for machines.
+
+csgcast=$1
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$(readlink -f "$0")")/checks.sh"
+
+echo 'difference() { cube(10); sphere(r = 6); sphere(r = 2); }' \
+    >'a "quoted" name.csg'
+echo 'difference() { cube(10); sphere(r = 6); sphere(r = 2); }' >part.csg
+
+expect 0 "for people" info part.csg
+prints "sphere 2"
+prints "leaves             3"
+prints "variants"
+prints "texture bytes"
+expect 0 "without a frame" info part.csg --no-gl
+prints "crossings at most"
+check "no renderer is named" bash -c '! grep -q renderer out'
+expect 0 "without OpenGL" info part.csg --backend=reference
+
+expect 0 "for machines" info part.csg --json
+if command -v node >/dev/null; then
+    node -e '
+        const report = JSON.parse(require("fs").readFileSync("out", "utf8"));
+        process.exit(report.kinds.sphere === 2 && report.leaves === 3 && report.hi[0] === 10 &&
+                     report.texture_bytes > 0 && report.scene === "part.csg" ? 0 : 1);'
+    report $? "the JSON says what the scene holds"
+    "$csgcast" info 'a "quoted" name.csg' --json --no-gl >out 2>err
+    node -e 'JSON.parse(require("fs").readFileSync("out", "utf8"))'
+    report $? "strings are escaped"
+fi
+
+expect 1 "no such scene" info nothing.csg
+expect 2 "render's options are not info's" info part.csg -o x.png
+says "has no option"
+expect 2 "no scene" info
+"$csgcast" info - --no-gl <part.csg >out 2>err
+report $? "standard input"
+prints "cube 1"
+
+finish

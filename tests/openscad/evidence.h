@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TESTS_OPENSCAD_EVIDENCE_H
+#define TESTS_OPENSCAD_EVIDENCE_H
+
+#include "compare.h"
+
+/*
+ * Writes STEM.out.png (csgcast), STEM.ref.png (the mesh) and STEM.diff.png: grey where they agree,
+ * yellow at edges that may differ, blue for thin, red for hit against miss, magenta for depth.
+ */
+void evidence_write(const char *stem, const struct reference *reference,
+                    const struct csgcast_image *image, const struct comparison *comparison);
+
+#endif

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_TESTS_SOLID_ARGS_H
+#define CSG_TESTS_SOLID_ARGS_H
+
+/* Reads a solid from "r=[1, 2, 3] h=4 center=true" without the scene parser. */
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "solids/solid.h"
+
+#define MAX_VALUES 64
+#define MAX_ARGS 8
+#define MAX_DEPTH 3
+
+static int num_failed;
+
+#define CHECK(condition, ...)                                                                      \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            num_failed++;                                                                          \
+            fprintf(stderr, "%s:%d: %s: ", __FILE__, __LINE__, #condition);                        \
+            fprintf(stderr, __VA_ARGS__);                                                          \
+            fputc('\n', stderr);                                                                   \
+        }                                                                                          \
+    } while (0)
+
+struct messages {
+    size_t num;
+    char last[512];
+};
+
+static void keep_message(void *user, enum csgcast_log_level level, enum csgcast_message id,
+                         const char *text)
+{
+    struct messages *messages = user;
+    (void)level;
+    (void)id;
+    messages->num++;
+    snprintf(messages->last, sizeof messages->last, "%s", text);
+}
+
+struct solid_text {
+    struct csg_value values[MAX_VALUES]; /* of vectors */
+    size_t num_values;
+    struct csg_arg args[MAX_ARGS];
+    char names[MAX_ARGS][16];
+    size_t num_args;
+    const char *at;
+};
+
+static struct csg_value parse_value(struct solid_text *text, int depth)
+{
+    struct csg_value value = {.type = CSG_VALUE_UNDEF};
+    struct csg_value items[16];
+    size_t num = 0;
+    char *end;
+    if (*text->at != '[' || depth >= MAX_DEPTH) {
+        value.number = strtod(text->at, &end);
+        value.type = end > text->at ? CSG_VALUE_NUMBER : CSG_VALUE_STRING;
+        if (end == text->at)
+            value.string = text->at;
+        text->at = end > text->at ? end : text->at + strcspn(text->at, " ,]");
+        return value;
+    }
+    for (text->at++; *text->at && *text->at != ']'; text->at += strspn(text->at, ", "))
+        if (num < 16)
+            items[num++] = parse_value(text, depth + 1);
+    text->at += *text->at == ']';
+    value.type = CSG_VALUE_VECTOR;
+    value.num = num;
+    value.items = &text->values[text->num_values];
+    memcpy(&text->values[text->num_values], items, num * sizeof *items);
+    text->num_values += num;
+    return value;
+}
+
+static void parse_args(struct solid_text *text, const char *args)
+{
+    memset(text, 0, sizeof *text);
+    for (text->at = args; *text->at; text->at += strspn(text->at, " ")) {
+        const size_t length = strcspn(text->at, "=");
+        char *name = text->names[text->num_args];
+        snprintf(name, sizeof text->names[0], "%.*s", (int)length, text->at);
+        text->at += length + 1;
+        text->args[text->num_args].name = name;
+        text->args[text->num_args++].value = parse_value(text, 0);
+    }
+}
+
+/* The kind's read() for these arguments. */
+static enum csg_read_result read_solid(const char *kind, const char *args,
+                                       enum csgcast_facets facets, struct csg_shape *shape,
+                                       struct messages *messages)
+{
+    const struct csg_log log = {keep_message, messages};
+    const enum csg_kind found = csg_solid_find(kind, strlen(kind));
+    struct solid_text text;
+    parse_args(&text, args);
+    *messages = (struct messages){0};
+    *shape = (struct csg_shape){.frame = csg_map_identity};
+    if (found == CSG_NUM_KINDS)
+        return CSG_READ_ERROR;
+    const struct csg_args read_args = {.args = text.args,
+                                       .num = text.num_args,
+                                       .parameters = csg_solids[found]->parameters,
+                                       .facets = facets,
+                                       .log = &log,
+                                       .file = "test",
+                                       .line = 3,
+                                       .column = 5,
+                                       .node = kind};
+    return csg_solids[found]->read(&read_args, shape);
+}
+
+/* 0 to 1, the same on every machine. */
+static double random_unit(void)
+{
+    static unsigned long long state = 42;
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+static double random_between(double lo, double hi)
+{
+    return lo + (hi - lo) * random_unit();
+}
+
+#endif
