@@ -76,8 +76,7 @@ static bool init_version(struct csg_gl_context *context, const char *where,
 }
 
 bool csg_gl_context_init(struct csg_gl_context *context, const struct csg_gl_platform *platform,
-                         const struct csg_log *log, const char *where,
-                         struct csg_gl_report *report)
+                         const struct csg_log *log, const char *where, struct csg_gl_report *report)
 {
     context->gl.platform = platform;
     context->gl.log = log ? *log : (struct csg_log){0};
@@ -85,8 +84,7 @@ bool csg_gl_context_init(struct csg_gl_context *context, const struct csg_gl_pla
         csg_gl_report_add(report, " %s made a context but cannot make it current.", where);
         return false;
     }
-    const bool ok =
-        load_functions(context, where, report) && init_version(context, where, report);
+    const bool ok = load_functions(context, where, report) && init_version(context, where, report);
     platform->unbind(context);
     return ok;
 }

@@ -74,8 +74,8 @@ static void save_osmesa(struct csg_gl_current *current)
         return;
     GLint format;
     finish_osmesa(osmesa);
-    osmesa->GetColorBuffer(current->osmesa.context, &current->osmesa.width,
-                           &current->osmesa.height, &format, &current->osmesa.buffer);
+    osmesa->GetColorBuffer(current->osmesa.context, &current->osmesa.width, &current->osmesa.height,
+                           &format, &current->osmesa.buffer);
     osmesa->GetIntegerv(CSG_OSMESA_TYPE, &current->osmesa.type);
     osmesa->MakeCurrent(NULL, NULL, 0, 0, 0);
 }

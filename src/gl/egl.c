@@ -119,8 +119,8 @@ static struct csg_gl_context *create_on_device(const struct search *search, EGLi
 {
     char where[32];
     snprintf(where, sizeof where, "EGL device %d", (int)index);
-    const EGLDisplay display = search->egl->GetPlatformDisplay(
-        EGL_PLATFORM_DEVICE_EXT, search->devices[index], NULL);
+    const EGLDisplay display =
+        search->egl->GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, search->devices[index], NULL);
     return create_on_display(search, display, where);
 }
 
@@ -130,15 +130,14 @@ static struct csg_gl_context *create_surfaceless(const struct search *search)
         csg_gl_report_add(search->report, " EGL has no surfaceless platform.");
         return NULL;
     }
-    const EGLDisplay display = search->egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA,
-                                                               EGL_DEFAULT_DISPLAY, NULL);
+    const EGLDisplay display =
+        search->egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     return create_on_display(search, display, "EGL surfaceless");
 }
 
 static bool is_software_device(const struct search *search, EGLint index)
 {
-    const char *extensions =
-        search->egl->QueryDeviceString(search->devices[index], EGL_EXTENSIONS);
+    const char *extensions = search->egl->QueryDeviceString(search->devices[index], EGL_EXTENSIONS);
     return has_word(extensions, "EGL_MESA_device_software");
 }
 

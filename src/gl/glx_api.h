@@ -19,8 +19,8 @@ struct csg_glx_api {
     csg_glx_display (*GetCurrentDisplay)(void);
     csg_glx_drawable (*GetCurrentDrawable)(void);
     csg_glx_drawable (*GetCurrentReadDrawable)(void);
-    int (*MakeContextCurrent)(csg_glx_display display, csg_glx_drawable draw,
-                              csg_glx_drawable read, csg_glx_context context);
+    int (*MakeContextCurrent)(csg_glx_display display, csg_glx_drawable draw, csg_glx_drawable read,
+                              csg_glx_context context);
 };
 
 /* false, with api->library NULL, where the process has not loaded GLX. */

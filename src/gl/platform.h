@@ -27,7 +27,7 @@ struct csg_gl_context {
 typedef void (*csg_gl_proc)(void);
 
 struct csg_gl_platform {
-    const char *name; /* as in --backend */
+    const char *name;   /* as in --backend */
     const char *remedy; /* what to install where it is missing */
 
     /* NULL, and sentences in report, where there is no context. */

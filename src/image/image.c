@@ -222,17 +222,17 @@ static bool find_target(struct destination *to)
     return true;
 }
 
-/* The folder of the target, whose file system the rename needs; any for a stream. */
+/* The folder of the target, whose file system the rename needs; any for a stream. Ends with /. */
 static void find_folder(const struct destination *to, char folder[PATH_MAX])
 {
     const char *slash = strrchr(to->target, '/');
     const char *temporary = getenv("TMPDIR");
     if (!to->target[0])
-        snprintf(folder, PATH_MAX, "%s", temporary && *temporary ? temporary : "/tmp");
+        snprintf(folder, PATH_MAX, "%s/", temporary && *temporary ? temporary : "/tmp");
     else if (slash)
-        snprintf(folder, PATH_MAX, "%.*s/", (int)(slash - to->target), to->target);
+        snprintf(folder, PATH_MAX, "%.*s", (int)(slash - to->target) + 1, to->target);
     else
-        strcpy(folder, ".");
+        strcpy(folder, "./");
 }
 
 /* Keeps the extension: some formats go by it. */
@@ -243,7 +243,7 @@ static bool make_temporary(struct destination *to, const char *format)
     const mode_t mode = to->target[0] ? 0666 : 0600; /* less what umask takes away */
     int file = -1;
     for (int i = 0; i < MAX_TEMPORARIES && file < 0; i++) {
-        snprintf(to->temporary, sizeof to->temporary, "%s/.csgcast-%ld-%d.%s", folder,
+        snprintf(to->temporary, sizeof to->temporary, "%s.csgcast-%ld-%d.%s", folder,
                  (long)getpid(), i, format);
         file = open(to->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (file < 0 && errno != EEXIST)
@@ -326,7 +326,8 @@ static bool find_format(const char *path, const struct csgcast_write_params *par
     if (!params->format && !strcmp(path, "-"))
         from = "png";
     size_t length = 0;
-    for (; from[length] && length < MAX_FORMAT - 1 && isalnum((unsigned char)from[length]); length++)
+    for (; from[length] && length < MAX_FORMAT - 1 && isalnum((unsigned char)from[length]);
+         length++)
         format[length] = (char)tolower((unsigned char)from[length]);
     format[length] = '\0';
     return (length > 0 && !from[length]) ||
@@ -376,8 +377,10 @@ static bool check_arguments(const char *path, int width, int height,
                             const struct csgcast_image *image,
                             const struct csgcast_write_params *params, const struct csg_log *log)
 {
-    if (!path[0] || width < 1 || height < 1)
-        return fail_argument(log, path, "an image needs a path, a width and a height");
+    if (!path || !path[0])
+        return fail_argument(log, "image", "it needs a path");
+    if (!image || width < 1 || height < 1)
+        return fail_argument(log, path, "an image needs a width and a height");
     if ((params->write_z && !image->z) || (params->write_normal && !image->normal) ||
         (params->write_id && !image->id))
         return fail_argument(log, path, "a channel to be written has not been rendered");
@@ -406,7 +409,7 @@ static int add_channels(struct csg_image_channel *channels, int num_before,
     return num_before + num;
 }
 
-/* Without transparency there is no A, as in OpenSCAD's pictures, but for EXR, which is for tools. */
+/* Without transparency there is no A, as in OpenSCAD's pictures, but EXR, for tools, has it. */
 static int list_channels(const struct csgcast_image *image, size_t num_pixels, const char *format,
                          const struct csgcast_write_params *params,
                          struct csg_image_channel channels[MAX_CHANNELS])
@@ -440,8 +443,7 @@ static bool write_to(struct destination *to, struct csg_image_file *file)
     return false;
 }
 
-bool csgcast_image_write(const char *path, int width, int height,
-                         const struct csgcast_image *image,
+bool csgcast_image_write(const char *path, int width, int height, const struct csgcast_image *image,
                          const struct csgcast_write_params *params)
 {
     static const struct csgcast_write_params defaults;
@@ -449,8 +451,11 @@ bool csgcast_image_write(const char *path, int width, int height,
     const struct csg_log log = {params->log, params->log_user};
     char format[MAX_FORMAT];
     struct csg_image_channel channels[MAX_CHANNELS];
-    struct csg_image_file file = {.format = format, .width = width, .height = height,
-                                  .channels = channels, .metadata = params->metadata,
+    struct csg_image_file file = {.format = format,
+                                  .width = width,
+                                  .height = height,
+                                  .channels = channels,
+                                  .metadata = params->metadata,
                                   .num_metadata = params->num_metadata};
     if (!check_arguments(path, width, height, image, params, &log) ||
         !find_format(path, params, &log, format) ||

@@ -16,7 +16,8 @@
 
 #include "image/module.h"
 
-namespace {
+namespace
+{
 
 /* Rows handed over at once: enough for OpenEXR to compress in parallel (its blocks are 16 rows). */
 constexpr int rows_at_once = 64;
@@ -42,8 +43,9 @@ std::string message_or(const std::string &message, const char *otherwise)
 
 OIIO::TypeDesc sample_type(int bits)
 {
-    return bits == 8 ? OIIO::TypeDesc::UINT8 : bits == 16 ? OIIO::TypeDesc::UINT16
-                                                          : OIIO::TypeDesc::FLOAT;
+    return bits == 8    ? OIIO::TypeDesc::UINT8
+           : bits == 16 ? OIIO::TypeDesc::UINT16
+                        : OIIO::TypeDesc::FLOAT;
 }
 
 /* Every format keeps a description, few keep names of one's own: both are written. */
@@ -184,7 +186,8 @@ void write(const csg_image_file &file)
     encode(*out, file);
     if (in_memory)
         save(file.path, memory.buffer());
-    if (name != "png" && name != "openexr" && name != "jpeg") /* those three are known to be right */
+    if (name != "png" && name != "openexr" &&
+        name != "jpeg") /* those three are known to be right */
         read_back(file);
 }
 

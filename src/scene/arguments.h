@@ -22,8 +22,8 @@ struct csg_open_vector {
 
 /* Zero-initialise it. */
 struct csg_arguments {
-    CSG_ARRAY(struct csg_arg) args; /* of the list read last; valid until the next one */
-    struct csg_arena arena;         /* holds their names, strings and vectors */
+    CSG_ARRAY(struct csg_arg) args;         /* of the list read last; valid until the next one */
+    struct csg_arena arena;                 /* holds their names, strings and vectors */
     CSG_ARRAY(struct csg_value) stack;      /* complete values of the vectors still open */
     CSG_ARRAY(struct csg_open_vector) open; /* those vectors, the innermost last */
 };

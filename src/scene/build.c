@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 /* Each # adds its subtree to the highlight layer once more. Nested in differences they could make
- * it quadratic in the size of the text; beyond this many times the text's nodes they are left out. */
+ * it quadratic in the size of the text; beyond this many times the text's nodes they are left out.
+ */
 enum { max_highlight_growth = 16 };
 
 /* A Boolean node that is being built. */

@@ -130,8 +130,8 @@ static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space 
     const enum csg_kind kind = walk->builder->meanings[node].kind;
     const struct csg_solid_ops *ops = csg_solids[kind];
     struct csg_args args;
-    struct csg_leaf leaf = {.kind = kind, .line = parsed->place.line,
-                            .column = parsed->place.column};
+    struct csg_leaf leaf = {
+        .kind = kind, .line = parsed->place.line, .column = parsed->place.column};
     leaf.shape.frame = csg_map_identity;
     if (!read_args(walk, node, ops->name, ops->parameters, &args))
         return false;

@@ -7,6 +7,9 @@
 /* Characters of one token that a message quotes. */
 enum { shown_length = 32 };
 
+#define TEXT_OF(macro) TEXT_OF_TOKENS(macro)
+#define TEXT_OF_TOKENS(tokens) #tokens
+
 static const char raw_terminator[] = "\", size = ";
 
 void csg_lexer_init(struct csg_lexer *lexer, const char *text, size_t size, size_t at,
@@ -131,7 +134,7 @@ static void read_number(struct csg_lexer *lexer, struct csg_token *token)
     token->type = CSG_TOKEN_NUMBER;
     if (!csg_number_read(token->begin, token->length, &token->number))
         set_bad(token, token->length > CSG_NUMBER_LENGTH_MAX
-                           ? "a number of more than 1100 characters"
+                           ? "a number of more than " TEXT_OF(CSG_NUMBER_LENGTH_MAX) " characters"
                            : "not a number; numbers look like 12, 0.5 or 1e-07");
 }
 
@@ -261,8 +264,8 @@ void csg_lexer_next(struct csg_lexer *lexer, struct csg_token *token)
         token->length = 1;
         read_string(lexer, token);
     } else if (is(c, MARK)) {
-        *token = (struct csg_token){CSG_TOKEN_MARK, .mark = c, .begin = token->begin,
-                                    .length = 1, .place = token->place};
+        *token = (struct csg_token){CSG_TOKEN_MARK, .mark = c, .begin = token->begin, .length = 1,
+                                    .place = token->place};
         lexer->at++;
     } else {
         read_garbage(lexer, token);

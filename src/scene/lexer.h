@@ -21,10 +21,10 @@ enum csg_token_type {
 
 struct csg_token {
     enum csg_token_type type;
-    char mark;          /* MARK: the character; else 0 */
-    bool raw;           /* STRING: stands for itself, without escapes */
-    const char *begin;  /* first byte; STRING: behind the quote */
-    size_t length;      /* bytes; STRING: between the quotes */
+    char mark;         /* MARK: the character; else 0 */
+    bool raw;          /* STRING: stands for itself, without escapes */
+    const char *begin; /* first byte; STRING: behind the quote */
+    size_t length;     /* bytes; STRING: between the quotes */
     struct csg_place place;
     struct csg_number number; /* NUMBER */
     const char *problem;      /* BAD: what is wrong with it, static */

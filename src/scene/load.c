@@ -27,9 +27,8 @@ static bool fill(struct csgcast_scene *scene, const char *text, size_t size,
                  const struct csgcast_scene_params *params, struct csg_report *report)
 {
     struct csg_document document;
-    const bool done =
-        csg_document_parse(&document, size > 0 ? text : "", size, report) &&
-        csg_build(scene, &document, params->facets, params->skip_unsupported, report);
+    const bool done = csg_document_parse(&document, size > 0 ? text : "", size, report) &&
+                      csg_build(scene, &document, params->facets, params->skip_unsupported, report);
     csg_document_finish(&document);
     return csg_report_finish(report) && done;
 }

@@ -40,9 +40,8 @@ static void select_root(struct csg_builder *builder)
 static void report_unsupported(struct csg_builder *builder, uint32_t node)
 {
     const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
-    const char *outcome = builder->skip_unsupported
-                              ? "left out with all that is in it"
-                              : "--skip-unsupported draws the rest";
+    const char *outcome = builder->skip_unsupported ? "left out with all that is in it"
+                                                    : "--skip-unsupported draws the rest";
     csg_report_print(builder->report,
                      builder->skip_unsupported ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
                      CSGCAST_MESSAGE_UNSUPPORTED, parsed->place, "%.*s is not supported yet; %s",
@@ -87,8 +86,9 @@ static void cover_children(struct csg_builder *builder, uint32_t node)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
     const struct csg_meaning *meaning = &builder->meanings[node];
-    const bool is_covering = meaning->role == CSG_ROLE_UNION &&
-                             (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
+    const bool is_covering =
+        meaning->role == CSG_ROLE_UNION &&
+        (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
     for (uint32_t i = node + 1; is_covering && i < nodes[node].end; i = nodes[i].end)
         builder->meanings[i].is_covered = !csg_is_left_out(&nodes[i]);
 }

@@ -10,11 +10,11 @@
 
 /* A decimal number taken apart: digits * 10^exponent. */
 struct decimal {
-    uint64_t digits;  /* the first 19 significant ones */
-    int num_digits;   /* all significant ones, up to the last that is not 0 */
-    int num_zeros;    /* zeros after that one so far */
-    long exponent;    /* of the unit of digits */
-    bool is_integer;  /* written without a point and exponent */
+    uint64_t digits; /* the first 19 significant ones */
+    int num_digits;  /* all significant ones, up to the last that is not 0 */
+    int num_zeros;   /* zeros after that one so far */
+    long exponent;   /* of the unit of digits */
+    bool is_integer; /* written without a point and exponent */
 };
 
 enum { max_digits = 19 };
@@ -123,7 +123,7 @@ static float rounding_of(const struct decimal *decimal, double value)
     const long num_digits = decimal->num_digits + decimal->num_zeros;
     const long num_kept = num_digits < max_digits ? num_digits : max_digits;
     const long sixth = num_kept - 6 + decimal->exponent;
-    const double unit = sixth >= 0 && sixth <= max_power    ? powers[sixth]
+    const double unit = sixth >= 0 && sixth <= max_power   ? powers[sixth]
                         : sixth < 0 && sixth >= -max_power ? 1 / powers[-sixth]
                                                            : pow(10, (double)sixth);
     return (float)fmin(0.5 * unit, (double)FLT_MAX);
@@ -143,8 +143,7 @@ bool csg_number_read(const char *text, size_t length, struct csg_number *number)
     }
     if (at != length)
         return false;
-    if (!convert_exactly(&decimal, &number->value) &&
-        !convert_slowly(text, length, &number->value))
+    if (!convert_exactly(&decimal, &number->value) && !convert_slowly(text, length, &number->value))
         return false;
     number->rounding = rounding_of(&decimal, number->value);
     return true;

@@ -18,14 +18,14 @@ extern char **environ;
 
 /* One run of openscad. It starts as zeroes with both ends of the pipe -1. */
 struct run {
-    const char *path;    /* as the caller named it */
+    const char *path; /* as the caller named it */
     const char *program;
     const struct csg_log *log;
-    char *input;         /* absolute: openscad resolves -o beside its input file */
-    char *directory;     /* temporary, ours alone */
-    char *output;        /* in it; the ending tells openscad the format */
-    int pipe[2];         /* carries what openscad prints */
-    int status;          /* as from waitpid */
+    char *input;     /* absolute: openscad resolves -o beside its input file */
+    char *directory; /* temporary, ours alone */
+    char *output;    /* in it; the ending tells openscad the format */
+    int pipe[2];     /* carries what openscad prints */
+    int status;      /* as from waitpid */
     struct csg_bytes messages;
 };
 

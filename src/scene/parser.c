@@ -104,8 +104,8 @@ static bool is_language_word(const struct csg_token *token)
 static void skip_language(struct parser *parser)
 {
     char found[64];
-    const bool is_line = csg_token_is_name(&parser->token, "use") ||
-                         csg_token_is_name(&parser->token, "include");
+    const bool is_line =
+        csg_token_is_name(&parser->token, "use") || csg_token_is_name(&parser->token, "include");
     csg_report_error(parser->report, CSGCAST_MESSAGE_SYNTAX, parser->token.place,
                      "%s belongs to the OpenSCAD language, not to .csg text; give the file a name "
                      "that ends in .scad and openscad will flatten it",
@@ -204,10 +204,11 @@ static bool is_assignment(const struct parser *parser)
 static void skip_assignment(struct parser *parser)
 {
     char found[64];
-    csg_report_error(parser->report, CSGCAST_MESSAGE_SYNTAX, parser->token.place,
-                     "%s is assigned a value, but .csg text has no variables; write the value where "
-                     "it is used, or give the file a name that ends in .scad",
-                     csg_token_describe(&parser->token, found));
+    csg_report_error(
+        parser->report, CSGCAST_MESSAGE_SYNTAX, parser->token.place,
+        "%s is assigned a value, but .csg text has no variables; write the value where "
+        "it is used, or give the file a name that ends in .scad",
+        csg_token_describe(&parser->token, found));
     skip_statement(parser);
 }
 

@@ -59,8 +59,7 @@ bool csg_args_bool(const struct csg_args *args, const char *name, bool fallback)
     return fallback;
 }
 
-bool csg_value_numbers(const struct csg_value *value, size_t num, double *numbers,
-                       double *rounding)
+bool csg_value_numbers(const struct csg_value *value, size_t num, double *numbers, double *rounding)
 {
     if (!value || value->type != CSG_VALUE_VECTOR || value->num != num)
         return false;
@@ -86,8 +85,7 @@ int csg_args_error(const struct csg_args *args, const char *format, ...)
     if (length >= (int)sizeof small && (large = malloc((size_t)length + 1)))
         vsnprintf(large, (size_t)length + 1, format, again);
     csg_log_error(args->log, CSGCAST_MESSAGE_SCENE, "%s:%u:%u: %s: %s", args->file,
-                  (unsigned)args->line, (unsigned)args->column, args->node,
-                  large ? large : small);
+                  (unsigned)args->line, (unsigned)args->column, args->node, large ? large : small);
     free(large);
     va_end(again);
     va_end(list);

@@ -30,8 +30,8 @@ case=$(basename "$scene" .scad)-$mode
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# OpenSCAD's own flattening, quietly; $1 is where to, the rest are options.
-flatten()
+# What OpenSCAD 2021.01 exports, quietly; $1 is where to, the rest are options.
+export_to()
 {
     out=$1
     shift
@@ -43,7 +43,7 @@ flatten()
 
 sagitta()
 {
-    flatten "$work/scene.csg" "$@"
+    export_to "$work/scene.csg" "$@"
     node "$here/sagitta.mjs" "$facets" "$work/scene.csg"
 }
 
@@ -64,7 +64,7 @@ exact | auto)
     ;;
 cgal)
     # Six digits in its STL: depths and normals are only as good as that.
-    flatten "$work/mesh.stl"
+    export_to "$work/mesh.stl"
     "$referee" --name="$case" --facets=as-written --depth=3e-5 --normal=1 "$@" "$scene" \
         "$work/mesh.stl"
     ;;

@@ -60,8 +60,8 @@ static bool matches(const char *path, const struct text *printed)
     struct csg_bytes expected;
     if (!csg_file_read(path, &expected, NULL))
         return false;
-    const bool equal = expected.num == printed->num &&
-                       memcmp(expected.data, printed->data, printed->num) == 0;
+    const bool equal =
+        expected.num == printed->num && memcmp(expected.data, printed->data, printed->num) == 0;
     if (!equal)
         fprintf(stderr, "%s differs; now:\n%s\nexpected:\n%.*s\n", path, printed->data,
                 (int)expected.num, expected.data);

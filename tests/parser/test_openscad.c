@@ -81,8 +81,9 @@ static bool has_lines(const char *messages, const char *expected)
 static bool is_clean(const char *directory)
 {
     char command[512];
-    snprintf(command, sizeof command, "test \"$(ls -A '%s' | wc -l)\" = \"$(ls -A '%s' | grep -c case)\"",
-             directory, directory);
+    snprintf(command, sizeof command,
+             "test \"$(ls -A '%s' | wc -l)\" = \"$(ls -A '%s' | grep -c case)\"", directory,
+             directory);
     return system(command) == 0;
 }
 

@@ -101,8 +101,8 @@ static int check_many_leaves(void)
 static int check_depth(void)
 {
     static const char *const openings[] = {
-        "group(){", "difference(){", "%union(){", "#difference(){", "color([1,0,0,1]){",
-        "translate([0,0,0])",
+        "group(){",       "difference(){",     "%union(){",
+        "#difference(){", "color([1,0,0,1]){", "translate([0,0,0])",
     };
     int num_failed = 0;
     const size_t depth = 10000 * scale;
@@ -136,8 +136,7 @@ static int check_brackets(void)
     repeat(&text, "[", 1000000);
     repeat(&text, "]", 1000000);
     text_add(&text, ");");
-    return num_failed +
-           check(&text, &(struct expectation){"balanced [", false, 0, 1, "cube: "});
+    return num_failed + check(&text, &(struct expectation){"balanced [", true, 1, 0, NULL});
 }
 
 static int check_long_tokens(void)
@@ -163,8 +162,8 @@ static int check_garbage(void)
         random = random * 1664525 + 1013904223;
         add_bytes(&text, &byte, 1);
     }
-    int num_failed =
-        check(&text, &(struct expectation){"random bytes", false, 0, CSG_REPORT_SHOWN + 1, "text:"});
+    int num_failed = check(
+        &text, &(struct expectation){"random bytes", false, 0, CSG_REPORT_SHOWN + 1, "text:"});
     const char zeros[4096] = {0};
     add_bytes(&text, zeros, sizeof zeros);
     num_failed += check(&text, &(struct expectation){"zeros", false, 0, 1, "byte 0x00"});

@@ -194,8 +194,7 @@ static void test_strange_values(void)
     rgba[1] = 1e30f;
     rgba[2] = -INFINITY;
     check(write_image(path_of("nan.png"), (struct csgcast_write_params){0}), "nan and inf in png");
-    check(has(run("oiiotool --dumpdata %s 2>&1", path_of("nan.png")),
-              "Pixel (0, 0): 0 255 0"),
+    check(has(run("oiiotool --dumpdata %s 2>&1", path_of("nan.png")), "Pixel (0, 0): 0 255 0"),
           "are the nearest value");
     rgba[0] = kept;
     rgba[1] = 0;
@@ -204,7 +203,7 @@ static void test_strange_values(void)
 
 static void test_other_formats(void)
 {
-    static const char *const names[] = {"a.jpg", "a.bmp", "a.tga", "a.ppm", "a.gif",
+    static const char *const names[] = {"a.jpg", "a.bmp", "a.tga",  "a.ppm", "a.gif",
                                         "a.hdr", "a.sgi", "a.webp", "a.JPEG"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         check(write_image(path_of(names[i]), (struct csgcast_write_params){0}), names[i]);
@@ -219,7 +218,8 @@ static void test_repeated(void)
     bool ok = write_image(path_of("1.exr"), (struct csgcast_write_params){.write_id = true});
     sleep(1);
     ok &= write_image(path_of("2.exr"), (struct csgcast_write_params){.write_id = true});
-    check(ok && !*run("cmp %s/1.exr %s/2.exr 2>&1", folder, folder), "the same call, the same bytes");
+    check(ok && !*run("cmp %s/1.exr %s/2.exr 2>&1", folder, folder),
+          "the same call, the same bytes");
 }
 
 static void test_named_format(void)
@@ -288,7 +288,8 @@ static void test_refused(void)
     check_refused(path_of("noextension"), none, "extension", "no format");
     check_refused(path_of("aov.png"), z, "EXR", "Z in PNG");
     check_refused(path_of("aov.jpg"), z, "EXR", "Z in JPEG");
-    check_refused(path_of("d.jpg"), (struct csgcast_write_params){.bits = 16}, "16 bits", "JPEG 16");
+    check_refused(path_of("d.jpg"), (struct csgcast_write_params){.bits = 16}, "16 bits",
+                  "JPEG 16");
     check_refused(path_of("d.png"), (struct csgcast_write_params){.bits = 32}, "32 bits", "PNG 32");
     check_refused(path_of("d.png"), (struct csgcast_write_params){.bits = 12}, "bits", "12 bits");
     check_refused(path_of("d.exr"), (struct csgcast_write_params){.bits = 8}, "float", "EXR 8");
@@ -307,6 +308,8 @@ static void test_arguments(void)
     check(!csgcast_image_write(path_of("x.png"), 0, 1, &image, &quiet), "no width");
     check(!csgcast_image_write(path_of("x.png"), 1, -1, &image, &quiet), "negative height");
     check(!csgcast_image_write(path_of("x.png"), 1, 1, &none, &quiet), "no channels");
+    check(!csgcast_image_write(path_of("x.png"), 1, 1, NULL, &quiet), "no image");
+    check(!csgcast_image_write(NULL, 1, 1, &image, &quiet), "no path");
     check(!csgcast_image_write(path_of("x.exr"), 1, 1, &none, &z), "Z that is not there");
     check(last_id == CSGCAST_MESSAGE_ARGUMENT, "are wrong arguments");
     check(csgcast_image_write(path_of("x.png"), 1, 1, &image, NULL), "no parameters are fine");

@@ -264,8 +264,8 @@ struct csgcast_metadata {
 
 struct csgcast_write_params {
     const char *format;  /* "png", "exr", ... NULL: the path's extension */
-    int bits;            /* per channel: 8, 16, or 32 for float. 0: 32 for EXR, HDR, PFM; else 8 */
-    bool write_z, write_normal, write_id; /* float only: channels besides R G B A */
+    int bits; /* per channel: 8, 16, or 32 for float. 0: 32 for EXR, HDR, Z N id; else 8 */
+    bool write_z, write_normal, write_id; /* EXR and TIFF: float channels besides R G B A */
     const struct csgcast_metadata *metadata; /* num_metadata texts kept in the file */
     size_t num_metadata;
     csgcast_log_fn *log; /* NULL: standard error */
@@ -274,10 +274,10 @@ struct csgcast_write_params {
 
 /*
  * Writes image through OpenImageIO, beside the target first and then renamed: never half a file.
- * path "-" writes to standard output (format is then needed; default "png"), and so does the path
- * of a device or a pipe. Colour values are written as they are, without conversion; where all of
- * alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id; without
- * rgba only those after A. An error where the format cannot hold the bits or channels asked for.
+ * path "-" writes to standard output, as PNG unless format says otherwise; a device or a pipe is
+ * written to and not replaced. Colour values are written as they are, without conversion. Where
+ * all of alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id;
+ * without rgba only those after A. An error where the format cannot hold what is asked for.
  * Any thread; OpenImageIO is loaded by the first call.
  */
 CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,

@@ -21,4 +21,4 @@ intersection() {
         translate([25, 10, 10]) sphere(r = 7);
     }
 }
-for (i = [1 : 0]) sphere(r = 50);
+for (i = []) sphere(r = 50);
