@@ -28,10 +28,12 @@ module block() difference() {
         translate([x, 0, z]) rotate([0, 0, 90]) edge(size[1]);
 }
 
+module along_gallery() translate([0, size[1] / 2, size[2] / 2]) rotate([0, 90, 0]) children();
+
 color("silver") difference() {
     block();
     // the gallery goes right through and is plugged at one end
-    translate([0, size[1] / 2, size[2] / 2]) rotate([0, 90, 0]) cylinder(d = gallery, h = size[0]);
+    along_gallery() cylinder(d = gallery, h = size[0]);
     for (x = [20, 45, 70]) port_at([x, size[1] / 2, size[2]], [180, 0, 0]);
     for (x = [32, 58]) port_at([x, 0, size[2] / 2], [-90, 0, 0]);
     for (x = [10, size[0] - 10], y = [9, size[1] - 9])
@@ -40,7 +42,8 @@ color("silver") difference() {
             translate([0, 0, size[2] - 6]) cylinder(d = 11, h = 6);
         }
 }
-color("goldenrod") translate([0, size[1] / 2, size[2] / 2]) rotate([0, 90, 0]) difference() {
-    cylinder(d = gallery, h = 8);
-    cylinder(d = 8, h = 5, $fn = 6);
+// A hex socket plug closes the gallery.
+color("goldenrod") difference() {
+    along_gallery() cylinder(d = gallery, h = 8);
+    along_gallery() cylinder(d = 8, h = 5, $fn = 6);
 }

@@ -26,11 +26,14 @@
  * this holds trees of 2^32 leaves. */
 #define CSG_STACK_SIZE 32
 
-/* An attribute block: colour, (reference pixel, leaf, normal reference pixel...), plane normals,
- * the quadric's normal terms. Aligned to 4 texels. */
+/*
+ * An attribute block, aligned to 4 texels: what shading needs of a leaf.
+ * Of the normals' texels the fourth component is the block's place / 4 + 1, negative where a
+ * quadric's terms n0 nu nv nk begin.
+ */
 #define CSG_ATTRIBUTE_COLOR 0
-#define CSG_ATTRIBUTE_ORIGIN 1  /* object's reference pixel x y, leaf index, flags as above */
-#define CSG_ATTRIBUTE_NORMALS 2 /* one texel a plane, then n0 nu nv nk */
+#define CSG_ATTRIBUTE_LEAF 1    /* leaf index */
+#define CSG_ATTRIBUTE_NORMALS 2 /* one texel a plane in the record's order, then the quadric's */
 #define CSG_NORMAL_TERMS 4
 
 #define CSG_QUADRIC_TEXELS 5
@@ -47,4 +50,4 @@
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
-/* Geometry buffer: bits of the key, and 2 * record + 1, + 1 where the eye is inside the solid. */
+/* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */

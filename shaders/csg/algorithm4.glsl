@@ -44,13 +44,14 @@ void csg_collect(int begin, int end, vec2 d)
             p++;
             continue;
         }
-        vec2 span, gap;
+        csg_span span;
+        vec2 gap;
         csg_read_leaf(p, head, d, span, gap);
         if (gap.x < gap.y) {
-            csg_insert_span(vec2(span.x, min(span.y, gap.x)), leaf);
-            csg_insert_span(vec2(max(span.x, gap.y), span.y), leaf);
+            csg_insert_span(vec2(span.key.x, min(span.key.y, gap.x)), leaf);
+            csg_insert_span(vec2(max(span.key.x, gap.y), span.key.y), leaf);
         } else {
-            csg_insert_span(span, leaf);
+            csg_insert_span(span.key, leaf);
         }
         leaf++;
     }
@@ -88,7 +89,7 @@ bool csg_program_holds(int begin, int end)
     return result;
 }
 
-bool csg_resolve(int begin, int end, vec2 d, out float k, out int record, out bool from_inside)
+bool csg_resolve(int begin, int end, vec2 d, out float k, out ivec2 place, out bool from_inside)
 {
     csg_collect(begin, end, d);
     for (int i = 0; i < CSG_MAX_WORDS; i++)
@@ -102,7 +103,7 @@ bool csg_resolve(int begin, int end, vec2 d, out float k, out int record, out bo
         for (; i < csg_num_crossings && csg_keys[i] == k; i++) /* equal crossings are one event */
             csg_holds[csg_leaves[i] >> 5] ^= 1u << uint(csg_leaves[i] & 31);
         if (csg_program_holds(begin, end) != from_inside) {
-            record = csg_program_change(begin, end, d, k, from_inside);
+            place = csg_program_change(begin, end, d, k, from_inside);
             return true;
         }
     }

@@ -10,18 +10,19 @@
 
 struct csg_change {
     bool before, after;
-    int rank, record; /* of the literal; CSG_RANK_NONE where nothing turns true */
+    int rank;     /* of the literal; CSG_RANK_NONE where nothing turns true */
+    ivec2 place;  /* its record and face */
 };
 
-csg_change csg_literal(bvec2 around, int rank, int record)
+csg_change csg_literal(bvec2 around, int rank, ivec2 place)
 {
-    return csg_change(around.x, around.y, !around.x && around.y ? rank : CSG_RANK_NONE, record);
+    return csg_change(around.x, around.y, !around.x && around.y ? rank : CSG_RANK_NONE, place);
 }
 
 csg_change csg_choose(bool before, bool after, csg_change a, csg_change b)
 {
     int rank = !before && after ? min(a.rank, b.rank) : CSG_RANK_NONE;
-    return csg_change(before, after, rank, b.rank < a.rank ? b.record : a.record);
+    return csg_change(before, after, rank, b.rank < a.rank ? b.place : a.place);
 }
 
 csg_change csg_all(csg_change a, csg_change b)

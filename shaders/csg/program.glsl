@@ -4,22 +4,23 @@
  * and a stack. dual asks for the complement of the tree: where does the solid end?
  */
 
-/* The spans of the leaf whose record is at p; moves p past it. */
-void csg_read_leaf(inout int p, vec4 head, vec2 d, out vec2 span, out vec2 gap)
+/* The leaf whose record is at p; moves p past it. */
+void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 gap)
 {
     int flags = int(head.z), entries = int(head.x), exits = int(head.y);
-    span = vec2(-CSG_KEY_MAX, CSG_KEY_MAX);
+    span = csg_whole_ray();
     gap = vec2(CSG_KEY_MAX);
     csg_clip_planes(p + 1, entries, exits, d, span);
     p += 1 + entries + exits;
 #ifdef CSG_HAS_QUADRIC
     for (int quadric = flags & CSG_RECORD_QUADRIC; quadric != 0; quadric = 0) {
+        vec4 t0 = csg_texel(p), t1 = csg_texel(p + 1), t2 = csg_texel(p + 2);
 #ifdef CSG_HAS_GAP
         if ((flags & CSG_RECORD_GAP) != 0)
-            csg_gap_quadric(p, d, span, gap);
+            csg_gap_quadric(t0, t1, t2, p, d, entries + exits, span, gap);
         else
 #endif
-            csg_clip_quadric(p, d, span);
+            csg_clip_quadric(t0, t1, t2, p, d, entries + exits, span);
         p += CSG_QUADRIC_TEXELS;
     }
 #endif
@@ -41,13 +42,14 @@ float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
             result = stack[--top];
             p++;
         } else {
-            vec2 span, gap;
+            csg_span span;
+            vec2 gap;
             csg_read_leaf(p, head, d, span, gap);
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
 #ifdef CSG_HAS_GAP
-            value = negated ? csg_outside_gap(k, span, gap) : csg_inside_gap(k, span, gap);
+            value = negated ? csg_outside_gap(k, span.key, gap) : csg_inside_gap(k, span.key, gap);
 #else
-            value = negated ? csg_outside(k, span) : csg_inside(k, span);
+            value = negated ? csg_outside(k, span.key) : csg_inside(k, span.key);
 #endif
         }
         if ((flags & CSG_RECORD_PUSH) != 0)
@@ -60,12 +62,12 @@ float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
     return result;
 }
 
-/* The record of the literal that is responsible for the change at k. */
-int csg_program_change(int begin, int end, vec2 d, float k, bool dual)
+/* Record and face of the literal that is responsible for the change at k. */
+ivec2 csg_program_change(int begin, int end, vec2 d, float k, bool dual)
 {
     csg_change stack[CSG_STACK_SIZE];
     int top = 0;
-    csg_change result = csg_change(false, false, CSG_RANK_NONE, 0);
+    csg_change result = csg_change(false, false, CSG_RANK_NONE, ivec2(0));
     for (int p = begin; p < end;) {
         int record = p;
         vec4 head = csg_texel(p);
@@ -77,13 +79,15 @@ int csg_program_change(int begin, int end, vec2 d, float k, bool dual)
             result = stack[--top];
             p++;
         } else {
-            vec2 span, gap;
+            csg_span span;
+            vec2 gap;
             csg_read_leaf(p, head, d, span, gap);
             bool negated = (flags & CSG_RECORD_NEGATED) != 0;
-            bvec2 around = csg_around_gap(k, span, gap);
-            int leaf = int(csg_texel(int(head.w) * 4 + CSG_ATTRIBUTE_ORIGIN).z);
+            bvec2 around = csg_around_gap(k, span.key, gap);
+            int face = csg_face_at_gap(k, span, gap, int(head.x) + int(head.y), !around.x);
+            int leaf = int(csg_texel(int(head.w) * 4 + CSG_ATTRIBUTE_LEAF).x);
             value = csg_literal(negated != dual ? not(around) : around,
-                                leaf + (negated ? CSG_RANK_NEGATED : 0), record);
+                                leaf + (negated ? CSG_RANK_NEGATED : 0), ivec2(record, face));
         }
         if ((flags & CSG_RECORD_PUSH) != 0)
             stack[top++] = result;
@@ -92,5 +96,5 @@ int csg_program_change(int begin, int end, vec2 d, float k, bool dual)
         else
             result = all ? csg_all(result, value) : csg_any(result, value);
     }
-    return result.record;
+    return result.place;
 }

@@ -2,7 +2,7 @@
 /* The first change of the solid along the ray, by interval jumping. */
 
 /* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. */
-bool csg_resolve(int begin, int end, vec2 d, out float k, out int record, out bool inside)
+bool csg_resolve(int begin, int end, vec2 d, out float k, out ivec2 place, out bool inside)
 {
     k = -CSG_KEY_MAX;
     inside = csg_program_next(begin, end, d, k, false) <= k;
@@ -14,6 +14,6 @@ bool csg_resolve(int begin, int end, vec2 d, out float k, out int record, out bo
         if (k >= csg_screen_key.z)
             return false;
     }
-    record = csg_program_change(begin, end, d, k, inside);
+    place = csg_program_change(begin, end, d, k, inside);
     return true;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Literals along the ray. A leaf is true on [span.x, span.y) less [gap.x, gap.y). The functions
+ * Literals along the ray. A leaf is true on [key.x, key.y) less [gap.x, gap.y). The functions
  * answer: where, at k or later, is the literal true at the soonest? With min for a union and max
  * for an intersection that becomes the same question for the whole tree, a bound that
  * csg_resolve iterates to the first true point: interval jumping, for any tree
@@ -31,6 +31,18 @@ float csg_outside_gap(float k, vec2 span, vec2 gap)
     if (k < span.x || k >= span.y || (k >= gap.x && k < gap.y))
         return k;
     return k < gap.x ? min(gap.x, span.y) : span.y;
+}
+
+/* The face at k of a leaf that the ray enters or leaves there. A gap's ends are on the quadric,
+ * which has the last number. */
+int csg_face_at(float k, csg_span span, bool enters)
+{
+    return enters ? span.face.x : span.face.y;
+}
+
+int csg_face_at_gap(float k, csg_span span, vec2 gap, int quadric, bool enters)
+{
+    return k == (enters ? gap.y : gap.x) ? quadric : csg_face_at(k, span, enters);
 }
 
 /* Membership just before (x) and just after (y) k. */

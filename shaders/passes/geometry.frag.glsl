@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Which record is visible in a pixel, and at what key. csg_resolve is the variant's. */
+/* Which face is visible in a pixel, and at what key. csg_resolve is the variant's. */
 
-flat in vec2 csg_at;
-flat in ivec2 csg_range;
+flat in ivec4 csg_object; /* reference pixel; begin, end */
 
 uniform vec2 csg_window;      /* of the band that is drawn, in the whole picture */
 uniform float csg_depth_bias; /* overlays win over what they repeat */
@@ -12,11 +11,12 @@ layout(location = 0) out uvec2 csg_visible;
 void main()
 {
     float k;
-    int record;
+    ivec2 place;
     bool inside;
-    if (!csg_resolve(csg_range.x, csg_range.y, gl_FragCoord.xy + csg_window - csg_at, k, record,
-                     inside))
+    vec2 d = gl_FragCoord.xy + csg_window - vec2(csg_object.xy);
+    if (!csg_resolve(csg_object.z, csg_object.w, d, k, place, inside))
         discard;
-    csg_visible = uvec2(floatBitsToUint(k), uint(2 * record + (inside ? 2 : 1)));
+    int attributes = int(csg_texel(place.x).w) * 4;
+    csg_visible = uvec2(floatBitsToUint(k), uint(attributes + CSG_ATTRIBUTE_NORMALS + place.y + 1));
     gl_FragDepth = csg_depth(k) - csg_depth_bias;
 }

@@ -2,16 +2,17 @@
 /* One instance per object: a rectangle that holds what the object can cover. */
 
 layout(location = 0) in vec4 csg_rect;      /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in vec2 csg_pixel;     /* the object's reference pixel */
+layout(location = 1) in vec2 csg_pixel;     /* the reference pixel */
 layout(location = 2) in ivec2 csg_records;  /* begin, end in the data texture */
 
-flat out vec2 csg_at;
-flat out ivec2 csg_range;
+flat out ivec4 csg_object; /* reference pixel; begin, end */
 
 void main()
 {
-    csg_at = csg_pixel;
-    csg_range = csg_records;
+    csg_object = ivec4(ivec2(csg_pixel), csg_records);
+#ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by csg_source_straight */
+    csg_hand_over(csg_records.x);
+#endif
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     gl_Position = vec4(mix(csg_rect.xy, csg_rect.zw, corner), 0.0, 1.0);
 }

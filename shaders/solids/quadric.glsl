@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Quadrics: crossings from an affine term and a conic. Twin of src/pack/quadric.c. */
 
-/* The crossings k.x <= k.y; false when the ray has none. code: see layout.glsl. */
-bool csg_quadric(int p, vec2 d, out vec2 k, out int code)
+/*
+ * The crossings k.x <= k.y; false when the ray has none. t0 t1 t2 are the quadric's first texels,
+ * p the place of the first; code: see layout.glsl.
+ */
+bool csg_quadric(vec4 t0, vec4 t1, vec4 t2, int p, vec2 d, out vec2 k, out int code)
 {
-    vec4 t0 = csg_texel(p), t1 = csg_texel(p + 1), t2 = csg_texel(p + 2);
     code = int(t0.w);
     float m = t0.x + (t0.y * d.x + t0.z * d.y);
     float x = t1.x + (t1.y * d.x + t1.z * d.y);
@@ -26,12 +28,12 @@ bool csg_quadric(int p, vec2 d, out vec2 k, out int code)
     return h >= 0.0;
 }
 
-/* Narrows the span of a convex leaf by its quadric. */
-void csg_clip_quadric(int p, vec2 d, inout vec2 span)
+/* Narrows a convex leaf by its quadric, its face number face. */
+void csg_clip_quadric(vec4 t0, vec4 t1, vec4 t2, int p, vec2 d, int face, inout csg_span span)
 {
     vec2 k;
     int code;
-    bool hit = csg_quadric(p, d, k, code);
+    bool hit = csg_quadric(t0, t1, t2, p, d, k, code);
     int region = code & 3;
     float entry = region == CSG_QUADRIC_BETWEEN ? (hit ? k.x : CSG_KEY_MAX)
                   : region == CSG_QUADRIC_AFTER ? k.y
@@ -39,17 +41,19 @@ void csg_clip_quadric(int p, vec2 d, inout vec2 span)
     float exit = region == CSG_QUADRIC_BETWEEN  ? k.y
                  : region == CSG_QUADRIC_BEFORE ? k.x
                                                 : CSG_KEY_MAX;
-    span = vec2(max(span.x, entry), min(span.y, exit));
+    csg_enter(entry, face, span);
+    csg_leave(exit, face, span);
 }
 
 /* The same for a leaf that is not convex: what is taken out of its middle comes back as gap. */
-void csg_gap_quadric(int p, vec2 d, inout vec2 span, out vec2 gap)
+void csg_gap_quadric(vec4 t0, vec4 t1, vec4 t2, int p, vec2 d, int face, inout csg_span span,
+                     out vec2 gap)
 {
     vec2 k;
     int code;
-    bool hit = csg_quadric(p, d, k, code);
+    bool hit = csg_quadric(t0, t1, t2, p, d, k, code);
     bool between = (code & 3) == CSG_QUADRIC_BETWEEN;
     gap = !between && hit ? k : vec2(CSG_KEY_MAX);
-    if (between)
-        span = vec2(max(span.x, hit ? k.x : CSG_KEY_MAX), min(span.y, k.y));
+    csg_enter(!between ? -CSG_KEY_MAX : hit ? k.x : CSG_KEY_MAX, face, span);
+    csg_leave(between ? k.y : CSG_KEY_MAX, face, span);
 }

@@ -98,7 +98,7 @@ static bool fill_info(struct csgcast_scene *scene)
     bool out_of_memory = false;
     count_leaves(scene, &num_drawn);
     info->num_leaves = num_drawn;
-    info->num_dropped = scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
+    info->num_dropped += scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
     info->num_objects = scene->objects->num;
     info->num_planes = scene->carriers->num_planes;
     info->num_quadrics = scene->carriers->num_quadrics;

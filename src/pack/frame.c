@@ -9,7 +9,6 @@ struct packer {
     const struct csgcast_scene *scene;
     const struct csg_plan *plan;
     const struct csg_frame_params *params;
-    struct csg_pixel at; /* the reference pixel */
 };
 
 static struct csg_rect nothing(void)
@@ -98,7 +97,7 @@ static void step_color(const struct packer *packer, const struct csg_object *obj
 }
 
 /* Writes the planes' texels, entries before exits, and their normals in the same order. */
-static uint32_t pack_planes(const struct packer *packer, const struct csg_step *step,
+static uint32_t pack_planes(const struct packer *packer, const struct csg_step *step, float block,
                             float (*texels)[4], float (*normals)[4])
 {
     const struct csg_carriers *carriers = packer->scene->carriers;
@@ -110,7 +109,7 @@ static uint32_t pack_planes(const struct packer *packer, const struct csg_step *
         const struct csg_face face = carriers->faces[begin + i];
         const struct csg_plane *plane = &carriers->planes[face.carrier];
         float texel[4];
-        csg_screen_plane(&packer->frame->screen, packer->at, plane, face.flipped, texel);
+        csg_screen_plane(&packer->frame->screen, packer->frame->at, plane, face.flipped, texel);
         /* Exits fill up from the back, so that both runs are contiguous. */
         const uint32_t slot = texel[3] == 0 ? num_entries++ : num - 1 - num_exits++;
         const float s = face.flipped ? -sign : sign;
@@ -118,11 +117,12 @@ static uint32_t pack_planes(const struct packer *packer, const struct csg_step *
         normals[slot][0] = s * (float)plane->normal.x;
         normals[slot][1] = s * (float)plane->normal.y;
         normals[slot][2] = s * (float)plane->normal.z;
+        normals[slot][3] = block;
     }
     return num_entries;
 }
 
-static void pack_quadric(const struct packer *packer, const struct csg_step *step,
+static void pack_quadric(const struct packer *packer, const struct csg_step *step, float block,
                          float (*texels)[4], float (*normals)[4])
 {
     const struct csg_carriers *carriers = packer->scene->carriers;
@@ -136,15 +136,16 @@ static void pack_quadric(const struct packer *packer, const struct csg_step *ste
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(&packer->frame->screen, packer->at, quadric, face.flipped, shape->convex,
+    csg_screen_quadric(&packer->frame->screen, packer->frame->at, quadric, face.flipped, shape->convex,
                        carriers->sheets[step->leaf], center, radius, texels);
     float terms[CSG_NORMAL_TERMS][3];
-    csg_screen_normal(&packer->frame->screen, packer->at, quadric, terms);
+    csg_screen_normal(&packer->frame->screen, packer->frame->at, quadric, terms);
     const bool reversed = (step->flags & CSG_RECORD_NEGATED) != 0;
     const float sign = reversed != face.flipped ? -1 : 1;
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)
         for (int j = 0; j < 3; j++)
             normals[i][j] = sign * terms[i][j];
+    normals[0][3] = -block;
 }
 
 static size_t record_size(const struct csg_carriers *carriers, const struct csg_step *step)
@@ -174,18 +175,16 @@ static void pack_leaf(const struct packer *packer, const struct csg_object *obje
     const uint32_t num_planes =
         carriers->face_begin[step->leaf + 1] - carriers->face_begin[step->leaf];
     float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
-    const uint32_t entries = pack_planes(packer, step, record + 1, normals);
+    const float block = (float)(attribute_index / 4 + 1);
+    const uint32_t entries = pack_planes(packer, step, block, record + 1, normals);
     if (step->flags & CSG_RECORD_QUADRIC)
-        pack_quadric(packer, step, record + 1 + num_planes, normals + num_planes);
+        pack_quadric(packer, step, block, record + 1 + num_planes, normals + num_planes);
     record[0][0] = (float)entries;
     record[0][1] = (float)(num_planes - entries);
     record[0][2] = (float)step->flags;
     record[0][3] = (float)(attribute_index / 4);
     step_color(packer, object, step, attributes[CSG_ATTRIBUTE_COLOR]);
-    float *origin = attributes[CSG_ATTRIBUTE_ORIGIN];
-    origin[0] = (float)packer->at.x;
-    origin[1] = (float)packer->at.y;
-    origin[2] = (float)step->leaf;
+    attributes[CSG_ATTRIBUTE_LEAF][0] = (float)step->leaf;
 }
 
 /* Appends an object's records and, behind them, its attribute blocks. */
@@ -256,8 +255,8 @@ static bool add_object(struct packer *packer, size_t index, struct csg_rect *rec
         draw.instance.rect[i] = (float)(2 * rect.lo[i] / size[i] - 1);
         draw.instance.rect[2 + i] = (float)(2 * rect.hi[i] / size[i] - 1);
     }
-    draw.instance.at[0] = (float)packer->at.x;
-    draw.instance.at[1] = (float)packer->at.y;
+    draw.instance.at[0] = (float)packer->frame->at.x;
+    draw.instance.at[1] = (float)packer->frame->at.y;
     frame->proxy_pixels +=
         (size_t)(ceil(rect.hi[0] - rect.lo[0]) * ceil(rect.hi[1] - rect.lo[1]));
     return pack_object(packer, index, &draw) && csg_array_push(&frame->draws, draw);
@@ -266,7 +265,7 @@ static bool add_object(struct packer *packer, size_t index, struct csg_rect *rec
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
-    struct packer packer = {frame, scene, scene->plan, params, {0, 0}};
+    struct packer packer = {frame, scene, scene->plan, params};
     size_t largest = 0;
     for (size_t i = 0; i < scene->objects->num; i++) {
         const size_t size = scene->objects->data[i].end - scene->objects->data[i].begin;
@@ -276,7 +275,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     if (!rects)
         return false;
     csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &scene->box);
-    packer.at = reference_pixel(&frame->screen, &scene->box);
+    frame->at = reference_pixel(&frame->screen, &scene->box);
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->proxy_pixels = 0;

@@ -28,6 +28,7 @@ struct csg_draw {
 
 struct csg_frame {
     struct csg_screen screen;
+    struct csg_pixel at; /* the reference pixel of all objects */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
     size_t proxy_pixels;

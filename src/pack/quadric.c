@@ -15,8 +15,8 @@
 #include <string.h>
 
 /* A crossing further than this many times the leaf's depth away is found as c/q, not q/a: beyond
- * it the subtraction of mid and sqrt(h) costs more than four bits. */
-#define STIFF_RATIO 16.0
+ * it the subtraction of mid and sqrt(h) costs more than two bits. */
+#define STIFF_RATIO 4.0
 
 /* Share of its terms below which a has no digits left, and rays meet the surface once. */
 #define DEGENERATE_A 1e-13
@@ -245,7 +245,7 @@ static int region_code(const struct csg_screen *screen, const struct csg_quadric
     return (z > 0) == (sheet > 0) ? CSG_QUADRIC_BEFORE : CSG_QUADRIC_AFTER;
 }
 
-/* Length of the leaf's depth in keys; nearer than a twentieth of the radius counts as that. */
+/* Length of the leaf's depth in keys; nearer than a fifth of the radius counts as that. */
 static double key_span(const struct csg_screen *screen, struct csg_vec3 center, double radius)
 {
     const double t = csg_dot(csg_sub(center, screen->origin), screen->forward);
@@ -253,7 +253,7 @@ static double key_span(const struct csg_screen *screen, struct csg_vec3 center, 
         radius = fabs(t) > 0 ? fabs(t) : 1;
     if (screen->orthographic)
         return 2 * radius;
-    const double near = fmax(t - radius, 0.05 * radius);
+    const double near = fmax(t - radius, 0.2 * radius);
     return fabs(csg_screen_key(screen, fmax(t + radius, 2 * near)) - csg_screen_key(screen, near));
 }
 

@@ -22,6 +22,7 @@ struct chooser {
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
     GLuint loops[4], sorted[4]; /* by features */
+    size_t max_handed;          /* flat inputs that the driver allows */
 };
 
 static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
@@ -68,8 +69,9 @@ static struct known *find_straight(struct chooser *chooser, const struct csg_str
 static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
-    return csg_programs_geometry(&chooser->renderer->programs,
-                                 csg_source_geometry(resolver, features, structure));
+    return csg_programs_get(&chooser->renderer->programs,
+                            csg_source_geometry(resolver, features, structure,
+                                                chooser->max_handed));
 }
 
 static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure)
@@ -134,6 +136,15 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
     return csg_array_push(batches, batch);
 }
 
+/* One flat input goes to csg_object; more than 28 cost llvmpipe more than they save. */
+static size_t max_handed(struct csg_gl *gl)
+{
+    GLint components = 0;
+    gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
+    const GLint num = components / 4 - 1;
+    return num < 1 ? 1 : num > 28 ? 28 : (size_t)num;
+}
+
 bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
                       const struct csg_request *request)
 {
@@ -142,7 +153,8 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
     if (!ok)
         csg_log_memory(&renderer->log);
     else
-        *chooser = (struct chooser){.renderer = renderer, .request = request};
+        *chooser = (struct chooser){
+            .renderer = renderer, .request = request, .max_handed = max_handed(renderer->gl)};
     for (uint32_t i = 0; i < renderer->frame.draws.num && ok; i++) {
         const struct csg_draw *draw = &renderer->frame.draws.data[i];
         enum csg_resolver resolver;

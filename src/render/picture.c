@@ -138,6 +138,8 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     gl->BindVertexArray(picture->renderer->empty_array);
     set_screen(picture, picture->shade);
     gl->Uniform1i(gl->GetUniformLocation(picture->shade, "csg_visible"), 1);
+    gl->Uniform2f(gl->GetUniformLocation(picture->shade, "csg_at"),
+                  (float)picture->renderer->frame.at.x, (float)picture->renderer->frame.at.y);
     set_light(picture, round);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);
@@ -336,7 +338,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     struct picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
-    picture.shade = csg_programs_shade(&renderer->programs);
+    picture.shade = csg_programs_get(&renderer->programs, csg_source_shade(picture.want_leaf));
     const bool ok = picture.shade && csg_batches_fill(&picture.batches, renderer, request) &&
                     upload_data(renderer) && upload_instances(renderer) && draw_bands(&picture);
     struct csgcast_stats *stats = &renderer->stats;

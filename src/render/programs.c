@@ -6,8 +6,6 @@
 
 #include "common/clock.h"
 
-#define SHADE_KEY "shade"
-
 /* A compiler's message refers to lines of a text that no file has: show that text. */
 static void report(const struct csg_gl *gl, const char *what, const char *log, const char *source)
 {
@@ -64,75 +62,52 @@ static GLuint link_program(const struct csg_gl *gl, const char *vertex, const ch
     return program;
 }
 
-static GLuint find(const struct csg_programs *programs, const char *key)
+static void free_stages(struct csg_stages *stages)
 {
-    for (size_t i = 0; i < programs->compiled.num; i++)
-        if (strcmp(programs->compiled.data[i].fragment, key) == 0)
-            return programs->compiled.data[i].id;
+    free(stages->vertex);
+    free(stages->fragment);
+}
+
+static GLuint find(const struct csg_programs *programs, const struct csg_stages *key)
+{
+    for (size_t i = 0; i < programs->compiled.num; i++) {
+        const struct csg_compiled *compiled = &programs->compiled.data[i];
+        if (strcmp(compiled->stages.fragment, key->fragment) == 0 &&
+            strcmp(compiled->stages.vertex, key->vertex) == 0)
+            return compiled->id;
+    }
     return 0;
 }
 
-static GLuint keep(struct csg_programs *programs, GLuint id, char *key)
+GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
 {
-    if (id && csg_array_push(&programs->compiled, ((struct csg_compiled){id, key})))
+    if (!stages.vertex || !stages.fragment) {
+        free_stages(&stages);
+        csg_log_memory(&programs->gl->log);
+        return 0;
+    }
+    const GLuint known = find(programs, &stages);
+    if (known) {
+        free_stages(&stages);
+        return known;
+    }
+    const double start = csg_clock_ms();
+    GLuint id = link_program(programs->gl, stages.vertex, stages.fragment);
+    programs->compile_ms += csg_clock_ms() - start;
+    if (id && csg_array_push(&programs->compiled, ((struct csg_compiled){id, stages})))
         return id;
     if (id)
         csg_log_memory(&programs->gl->log);
     programs->gl->DeleteProgram(id);
-    free(key);
+    free_stages(&stages);
     return 0;
-}
-
-GLuint csg_programs_geometry(struct csg_programs *programs, char *fragment)
-{
-    static const char *const vertex_files[] = {"passes/geometry.vert.glsl", NULL};
-    if (!fragment) {
-        csg_log_memory(&programs->gl->log);
-        return 0;
-    }
-    const GLuint known = find(programs, fragment);
-    if (known) {
-        free(fragment);
-        return known;
-    }
-    const double start = csg_clock_ms();
-    char *vertex = csg_source_stage(vertex_files);
-    const GLuint id = vertex ? link_program(programs->gl, vertex, fragment) : 0;
-    free(vertex);
-    programs->compile_ms += csg_clock_ms() - start;
-    return keep(programs, id, fragment);
-}
-
-GLuint csg_programs_shade(struct csg_programs *programs)
-{
-    static const char *const vertex_files[] = {"passes/shade.vert.glsl", NULL};
-    static const char *const fragment_files[] = {"common/data.glsl",     "common/screen.glsl",
-                                                 "solids/planes.glsl",   "solids/quadric.glsl",
-                                                 "passes/shade.frag.glsl", NULL};
-    const GLuint known = find(programs, SHADE_KEY);
-    if (known)
-        return known;
-    const double start = csg_clock_ms();
-    char *vertex = csg_source_stage(vertex_files), *fragment = csg_source_stage(fragment_files);
-    char *key = malloc(sizeof SHADE_KEY);
-    GLuint id = 0;
-    if (vertex && fragment && key) {
-        memcpy(key, SHADE_KEY, sizeof SHADE_KEY);
-        id = link_program(programs->gl, vertex, fragment);
-    } else {
-        csg_log_memory(&programs->gl->log);
-    }
-    free(vertex);
-    free(fragment);
-    programs->compile_ms += csg_clock_ms() - start;
-    return keep(programs, id, key);
 }
 
 void csg_programs_finish(struct csg_programs *programs)
 {
     for (size_t i = 0; i < programs->compiled.num; i++) {
         programs->gl->DeleteProgram(programs->compiled.data[i].id);
-        free(programs->compiled.data[i].fragment);
+        free_stages(&programs->compiled.data[i].stages);
     }
     free(programs->compiled.data);
 }

@@ -9,7 +9,7 @@
 
 struct csg_compiled {
     GLuint id;
-    char *fragment; /* the key: its assembled text */
+    struct csg_stages stages; /* the key */
 };
 
 struct csg_programs {
@@ -18,11 +18,8 @@ struct csg_programs {
     double compile_ms; /* in total */
 };
 
-/* The program of a geometry pass; takes ownership of fragment. 0, with a message, on failure. */
-GLuint csg_programs_geometry(struct csg_programs *programs, char *fragment);
-
-/* The program of the shading pass. */
-GLuint csg_programs_shade(struct csg_programs *programs);
+/* The program of these stages, which it takes ownership of. 0, with a message, on failure. */
+GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages);
 
 /* The context must be current. */
 void csg_programs_finish(struct csg_programs *programs);

@@ -89,15 +89,10 @@ static void add_preamble(struct csg_text *text)
     add_file(text, "common/layout.glsl");
 }
 
-static void add_resolver(struct csg_text *text, enum csg_resolver resolver,
-                         const struct csg_structure *structure)
+static void add_resolver(struct csg_text *text, enum csg_resolver resolver)
 {
-    add_file(text, "csg/spans.glsl");
-    add_file(text, "csg/change.glsl");
-    if (resolver == CSG_RESOLVER_STRAIGHT) {
-        csg_source_straight(text, structure);
+    if (resolver == CSG_RESOLVER_STRAIGHT)
         return;
-    }
     add_file(text, "csg/program.glsl");
     if (resolver == CSG_RESOLVER_ALGORITHM4) {
         csg_text_add(text, "#define CSG_MAX_CROSSINGS %d\n", CSG_ALGORITHM4_MAX_CROSSINGS);
@@ -107,30 +102,49 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver,
     }
 }
 
-char *csg_source_geometry(enum csg_resolver resolver, int features,
-                          const struct csg_structure *structure)
+static struct csg_stages finish_stages(struct csg_text *vertex, struct csg_text *fragment)
 {
-    struct csg_text text = {0};
-    add_preamble(&text);
-    if (features & CSG_FEATURE_QUADRIC)
-        csg_text_add(&text, "#define CSG_HAS_QUADRIC\n");
-    if (features & CSG_FEATURE_GAP)
-        csg_text_add(&text, "#define CSG_HAS_GAP\n");
-    add_file(&text, "common/data.glsl");
-    add_file(&text, "common/screen.glsl");
-    add_file(&text, "solids/planes.glsl");
-    if (features & CSG_FEATURE_QUADRIC)
-        add_file(&text, "solids/quadric.glsl");
-    add_resolver(&text, resolver, structure);
-    add_file(&text, "passes/geometry.frag.glsl");
-    return finish_text(&text);
+    struct csg_stages stages = {finish_text(vertex), finish_text(fragment)};
+    return stages;
 }
 
-char *csg_source_stage(const char *const *files)
+struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
+                                      const struct csg_structure *structure, size_t max_handed)
 {
-    struct csg_text text = {0};
-    add_preamble(&text);
-    for (; *files; files++)
-        add_file(&text, *files);
-    return finish_text(&text);
+    struct csg_text vertex = {0}, fragment = {0};
+    add_preamble(&vertex);
+    add_file(&vertex, "common/data.glsl");
+    add_preamble(&fragment);
+    if (features & CSG_FEATURE_QUADRIC)
+        csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
+    if (features & CSG_FEATURE_GAP)
+        csg_text_add(&fragment, "#define CSG_HAS_GAP\n");
+    add_file(&fragment, "common/data.glsl");
+    add_file(&fragment, "common/screen.glsl");
+    add_file(&fragment, "solids/span.glsl");
+    add_file(&fragment, "solids/planes.glsl");
+    if (features & CSG_FEATURE_QUADRIC)
+        add_file(&fragment, "solids/quadric.glsl");
+    add_file(&fragment, "csg/spans.glsl");
+    add_file(&fragment, "csg/change.glsl");
+    add_resolver(&fragment, resolver);
+    if (resolver == CSG_RESOLVER_STRAIGHT)
+        csg_source_straight(&vertex, &fragment, structure, max_handed);
+    add_file(&vertex, "passes/geometry.vert.glsl");
+    add_file(&fragment, "passes/geometry.frag.glsl");
+    return finish_stages(&vertex, &fragment);
+}
+
+struct csg_stages csg_source_shade(bool want_leaf)
+{
+    struct csg_text vertex = {0}, fragment = {0};
+    add_preamble(&vertex);
+    add_file(&vertex, "passes/shade.vert.glsl");
+    add_preamble(&fragment);
+    if (want_leaf)
+        csg_text_add(&fragment, "#define CSG_WANT_LEAF\n");
+    add_file(&fragment, "common/data.glsl");
+    add_file(&fragment, "common/screen.glsl");
+    add_file(&fragment, "passes/shade.frag.glsl");
+    return finish_stages(&vertex, &fragment);
 }

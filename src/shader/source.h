@@ -48,17 +48,24 @@ int csg_structure_features(const struct csg_structure *structure);
 size_t csg_structure_crossings(const struct csg_structure *structure);
 bool csg_structure_is_small(const struct csg_structure *structure);
 
+/* The stages of a geometry program. Equal structures give equal texts: together they are the key
+ * under which programs are cached. NULL where memory ran out. */
+struct csg_stages {
+    char *vertex, *fragment;
+};
+
 /*
- * Fragment shader of the geometry pass. structure is only looked at by STRAIGHT. The text is the
- * same for equal structures, so it is the key under which programs are cached; NULL: no memory.
+ * structure is only looked at by STRAIGHT. Up to max_handed of its texels are read by the vertex
+ * stage and handed on as flat inputs, which costs an object what fetching costs every fragment.
  */
-char *csg_source_geometry(enum csg_resolver resolver, int features,
-                          const struct csg_structure *structure);
+struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
+                                      const struct csg_structure *structure, size_t max_handed);
 
-/* The other stages: vertex shaders and the shading pass. */
-char *csg_source_stage(const char *const *files);
+/* The shading pass. */
+struct csg_stages csg_source_shade(bool want_leaf);
 
-/* csg_resolve as straight-line code for structure, appended to text. */
-void csg_source_straight(struct csg_text *text, const struct csg_structure *structure);
+/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
+void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+                         const struct csg_structure *structure, size_t max_handed);
 
 #endif

@@ -12,6 +12,7 @@
 struct leaf_code {
     size_t record;  /* offset of the record from the object's first */
     unsigned rank;  /* among the object's leaves, in file order */
+    size_t num_planes;
     bool gap;
 };
 
@@ -30,28 +31,61 @@ static unsigned rank_of(const struct csg_structure *structure, size_t step)
     return rank;
 }
 
-static void add_spans(struct csg_text *text, const struct csg_structure *structure,
+/* How fragments get at texels: the first ones of each object are handed over. */
+struct parameters {
+    struct csg_text *vertex, *fragment;
+    size_t num_handed, max_handed;
+};
+
+/* A fragment's expression for the texel at offset from the object's first record. */
+static void add_texel(struct parameters *parameters, size_t offset)
+{
+    if (parameters->num_handed == parameters->max_handed) {
+        csg_text_add(parameters->fragment, "csg_texel(begin + %zu)", offset);
+        return;
+    }
+    csg_text_add(parameters->vertex, "    csg_handed[%zu] = csg_texel(begin + %zu);\n",
+                 parameters->num_handed, offset);
+    csg_text_add(parameters->fragment, "csg_handed[%zu]", parameters->num_handed++);
+}
+
+static void add_quadric(struct parameters *parameters, size_t step, size_t record, size_t face,
+                        bool gap)
+{
+    csg_text_add(parameters->fragment, gap ? "    vec2 g%zu;\n    csg_gap_quadric("
+                                           : "    csg_clip_quadric(", step);
+    for (size_t i = 0; i < 3; i++) {
+        add_texel(parameters, record + i);
+        csg_text_add(parameters->fragment, ", ");
+    }
+    csg_text_add(parameters->fragment, "begin + %zu, d, %zu, s%zu", record, face, step);
+    if (gap)
+        csg_text_add(parameters->fragment, ", g%zu", step);
+    csg_text_add(parameters->fragment, ");\n");
+}
+
+static void add_spans(struct parameters *parameters, const struct csg_structure *structure,
                       struct leaf_code *leaves)
 {
     size_t record = 0;
     for (size_t i = 0; i < structure->num; i++) {
         const uint32_t flags = structure->steps[i].flags;
-        leaves[i] = (struct leaf_code){record, rank_of(structure, i), flags & CSG_RECORD_GAP};
-        record++;
+        leaves[i] = (struct leaf_code){record++, 0, 0, flags & CSG_RECORD_GAP};
         if (is_pop(structure, i))
             continue;
-        const size_t planes =
+        leaves[i].rank = rank_of(structure, i);
+        leaves[i].num_planes =
             structure->scene->leaves[structure->steps[i].leaf].shape.num_planes;
-        csg_text_add(text, "    vec2 s%zu = vec2(-CSG_KEY_MAX, CSG_KEY_MAX);\n", i);
-        for (size_t plane = 0; plane < planes; plane++)
-            csg_text_add(text, "    csg_clip_plane(csg_texel(begin + %zu), d, s%zu);\n", record++,
-                         i);
-        if (flags & CSG_RECORD_GAP)
-            csg_text_add(text, "    vec2 g%zu;\n    csg_gap_quadric(begin + %zu, d, s%zu, g%zu);\n",
-                         i, record, i, i);
-        else if (flags & CSG_RECORD_QUADRIC)
-            csg_text_add(text, "    csg_clip_quadric(begin + %zu, d, s%zu);\n", record, i);
-        record += flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0;
+        csg_text_add(parameters->fragment, "    csg_span s%zu = csg_whole_ray();\n", i);
+        for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
+            csg_text_add(parameters->fragment, "    csg_clip_plane(");
+            add_texel(parameters, record++);
+            csg_text_add(parameters->fragment, ", d, %zu, s%zu);\n", plane, i);
+        }
+        if (flags & CSG_RECORD_QUADRIC) {
+            add_quadric(parameters, i, record, leaves[i].num_planes, leaves[i].gap);
+            record += CSG_QUADRIC_TEXELS;
+        }
     }
 }
 
@@ -86,9 +120,9 @@ static void add_next_value(struct csg_text *text, const struct csg_structure *st
 {
     const char *side = structure->steps[i].flags & CSG_RECORD_NEGATED ? "outside" : "inside";
     if (leaves[i].gap)
-        csg_text_add(text, "csg_%s_gap(k, s%zu, g%zu)", side, i, i);
+        csg_text_add(text, "csg_%s_gap(k, s%zu.key, g%zu)", side, i, i);
     else
-        csg_text_add(text, "csg_%s(k, s%zu)", side, i);
+        csg_text_add(text, "csg_%s(k, s%zu.key)", side, i);
 }
 
 static void add_change_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
@@ -97,11 +131,16 @@ static void add_change_value(struct csg_text *text, const struct csg_structure *
     const bool negated = structure->steps[i].flags & CSG_RECORD_NEGATED;
     csg_text_add(text, "csg_literal(%s", negated ? "not(" : "");
     if (leaves[i].gap)
-        csg_text_add(text, "csg_around_gap(k, s%zu, g%zu)", i, i);
+        csg_text_add(text, "csg_around_gap(k, s%zu.key, g%zu)", i, i);
     else
-        csg_text_add(text, "csg_around(k, s%zu)", i);
-    csg_text_add(text, "%s, %u + %s, %zu)", negated ? ")" : "", leaves[i].rank,
-                 negated ? "CSG_RANK_NEGATED" : "0", leaves[i].record);
+        csg_text_add(text, "csg_around(k, s%zu.key)", i);
+    csg_text_add(text, "%s, %u%s, ivec2(begin + %zu, ", negated ? ")" : "", leaves[i].rank,
+                 negated ? " + CSG_RANK_NEGATED" : "", leaves[i].record);
+    if (leaves[i].gap)
+        csg_text_add(text, "csg_face_at_gap(k, s%zu, g%zu, %zu, %s)))", i, i,
+                     leaves[i].num_planes, negated ? "false" : "true");
+    else
+        csg_text_add(text, "csg_face_at(k, s%zu, %s)))", i, negated ? "false" : "true");
 }
 
 static void declare_registers(struct csg_text *text, const struct csg_structure *structure,
@@ -119,31 +158,47 @@ static void declare_registers(struct csg_text *text, const struct csg_structure 
     csg_text_add(text, ";\n");
 }
 
-void csg_source_straight(struct csg_text *text, const struct csg_structure *structure)
+static void add_search(struct csg_text *text, const struct csg_structure *structure,
+                       const struct leaf_code *leaves)
 {
-    struct leaf_code *leaves = calloc(structure->num, sizeof *leaves);
-    if (!leaves) {
-        text->failed = true;
-        return;
-    }
-    csg_text_add(text, "bool csg_resolve(int begin, int end, vec2 d, out float k, out int record,"
-                       " out bool inside)\n{\n    inside = false;\n");
-    add_spans(text, structure, leaves);
     csg_text_add(text, "    k = -CSG_KEY_MAX;\n    for (;;) {\n");
     declare_registers(text, structure, "        ", "float");
     add_steps(text, structure, "        ", "max", "min", add_next_value, leaves);
     csg_text_add(text, "        if (!(r0 > k))\n            break;\n"
                        "        k = r0;\n"
                        "        if (k >= csg_screen_key.z)\n            return false;\n    }\n");
-    size_t num_leaves = 0;
-    for (size_t i = 0; i < structure->num; i++)
-        num_leaves += !is_pop(structure, i);
-    if (num_leaves == 1) {
-        csg_text_add(text, "    record = begin;\n    return true;\n}\n");
-    } else {
-        declare_registers(text, structure, "    ", "csg_change");
-        add_steps(text, structure, "    ", "csg_all", "csg_any", add_change_value, leaves);
-        csg_text_add(text, "    record = begin + r0.record;\n    return true;\n}\n");
+}
+
+static void add_change(struct csg_text *text, const struct csg_structure *structure,
+                       const struct leaf_code *leaves)
+{
+    declare_registers(text, structure, "    ", "csg_change");
+    add_steps(text, structure, "    ", "csg_all", "csg_any", add_change_value, leaves);
+    csg_text_add(text, "    place = r0.place;\n    return true;\n}\n");
+}
+
+void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+                         const struct csg_structure *structure, size_t max_handed)
+{
+    struct leaf_code *leaves = calloc(structure->num, sizeof *leaves);
+    struct csg_text handing = {0}, code = {0};
+    struct parameters parameters = {&handing, &code, 0, max_handed};
+    if (leaves) {
+        add_spans(&parameters, structure, leaves);
+        add_search(&code, structure, leaves);
+        add_change(&code, structure, leaves);
+        csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
+        csg_text_add(fragment, "flat in vec4 csg_handed[%zu];\n\n"
+                               "bool csg_resolve(int begin, int end, vec2 d, out float k,"
+                               " out ivec2 place, out bool inside)\n{\n    inside = false;\n%s",
+                     parameters.num_handed, code.data ? code.data : "");
+        csg_text_add(vertex, "flat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
+                             "void csg_hand_over(int begin)\n{\n%s}\n",
+                     handing.data ? handing.data : "");
     }
+    vertex->failed |= !leaves || handing.failed || code.failed;
+    fragment->failed |= vertex->failed;
+    free(handing.data);
+    free(code.data);
     free(leaves);
 }

@@ -5,6 +5,23 @@
 
 #include "solids/facets.h"
 
+static const struct csg_value *find_number(const struct csg_args *args, const char *name)
+{
+    const struct csg_value *value = csg_args_find(args, name);
+    return value && value->type == CSG_VALUE_NUMBER ? value : NULL;
+}
+
+double csg_args_radius(const struct csg_args *args, const char *r, const char *d, double fallback,
+                       double *rounding)
+{
+    const struct csg_value *diameter = find_number(args, d);
+    const struct csg_value *radius = diameter ? diameter : find_number(args, r);
+    if (!radius)
+        return fallback;
+    *rounding = (double)radius->rounding / (diameter ? 2 : 1);
+    return radius->number / (diameter ? 2 : 1);
+}
+
 static struct csg_vec3 corner(struct csg_ring ring, int i, int n)
 {
     const double degrees = 360.0 * i / n;

@@ -18,6 +18,13 @@ struct csg_ring {
 /* As-written solids with more planes than this are refused: they would take gigabytes. */
 #define CSG_RINGS_MAX_PLANES (1 << 20)
 
+/*
+ * A radius as OpenSCAD reads it: the number named d, halved, or else the number named r, or else
+ * fallback. rounding is replaced by that of the number, if there is one.
+ */
+double csg_args_radius(const struct csg_args *args, const char *r, const char *d, double fallback,
+                       double *rounding);
+
 /* Box of the corners of one ring with n corners: what OpenSCAD frames. */
 struct csg_box csg_ring_box(struct csg_ring ring, int n);
 

@@ -16,33 +16,14 @@ static struct csg_ring ring(const void *user, int index)
 }
 
 /* OpenSCAD's order: r sets both, r1 and r2 win over it, a diameter wins over its radius. */
-static double read_radius(const struct csg_args *args, const char *r, const char *d,
-                          double fallback, double *rounding)
-{
-    double own_rounding = 0;
-    double radius = csg_args_number(args, r, NAN, &own_rounding);
-    const struct csg_value *diameter = csg_args_find(args, d);
-    const struct csg_value *value = diameter && diameter->type == CSG_VALUE_NUMBER
-                                        ? diameter
-                                        : csg_args_find(args, r);
-    if (!value || value->type != CSG_VALUE_NUMBER)
-        return fallback;
-    if (value == diameter) {
-        radius = diameter->number / 2;
-        own_rounding = (double)diameter->rounding / 2;
-    }
-    *rounding = own_rounding;
-    return radius;
-}
-
 static void read_rings(const struct csg_args *args, struct csg_ring rings[2], double *rounding)
 {
     double r_rounding = 0, h_rounding = 0;
     const double h = csg_args_number(args, "h", 1, &h_rounding);
-    const double r = read_radius(args, "r", "d", 1, &r_rounding);
+    const double r = csg_args_radius(args, "r", "d", 1, &r_rounding);
     double roundings[2] = {r_rounding, r_rounding};
-    const double r1 = read_radius(args, "r1", "d1", r, &roundings[0]);
-    const double r2 = read_radius(args, "r2", "d2", r, &roundings[1]);
+    const double r1 = csg_args_radius(args, "r1", "d1", r, &roundings[0]);
+    const double r2 = csg_args_radius(args, "r2", "d2", r, &roundings[1]);
     const bool center = csg_args_bool(args, "center", false);
     rings[0] = (struct csg_ring){r1, center ? -h / 2 : 0};
     rings[1] = (struct csg_ring){r2, center ? h / 2 : h};

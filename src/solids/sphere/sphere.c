@@ -38,21 +38,10 @@ static void fill_quadric(struct csg_shape *shape, double radius)
     shape->bounds = (struct csg_box){{-radius, -radius, -radius}, {radius, radius, radius}};
 }
 
-static double read_radius(const struct csg_args *args, double *rounding)
-{
-    double r_rounding = 0, d_rounding = 0;
-    const double r = csg_args_number(args, "r", 1, &r_rounding);
-    const double d = csg_args_number(args, "d", 2 * r, &d_rounding);
-    const struct csg_value *value = csg_args_find(args, "d");
-    const bool has_d = value && value->type == CSG_VALUE_NUMBER;
-    *rounding = has_d ? d_rounding / 2 : r_rounding;
-    return has_d ? d / 2 : r;
-}
-
 static enum csg_read_result read(const struct csg_args *args, struct csg_shape *shape)
 {
     const struct csg_facets facets = csg_args_facets(args);
-    const double radius = read_radius(args, &shape->rounding);
+    const double radius = csg_args_radius(args, "r", "d", 1, &shape->rounding);
     if (!(radius > 0) || !isfinite(radius) || !isfinite(1 / radius))
         return CSG_READ_EMPTY;
     const int n = csg_facets_count(&facets, radius);
