@@ -89,8 +89,9 @@ bool csg_program_holds(int begin, int end)
     return result;
 }
 
-bool csg_resolve(int begin, int end, vec2 d, out float k, out ivec2 place, out bool from_inside)
+bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool from_inside)
 {
+    int begin = object.x, end = object.y;
     csg_collect(begin, end, d);
     for (int i = 0; i < CSG_MAX_WORDS; i++)
         csg_holds[i] = 0u;

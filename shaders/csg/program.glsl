@@ -13,14 +13,17 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 g
     csg_clip_planes(p + 1, entries, exits, d, span);
     p += 1 + entries + exits;
 #ifdef CSG_HAS_QUADRIC
+    /* Loops that run once or not at all: llvmpipe skips those, and runs both sides of a branch. */
     for (int quadric = flags & CSG_RECORD_QUADRIC; quadric != 0; quadric = 0) {
-        vec4 t0 = csg_texel(p), t1 = csg_texel(p + 1), t2 = csg_texel(p + 2);
+        csg_crossings at = csg_quadric(csg_texel(p), csg_texel(p + 1), csg_texel(p + 2), d);
+        for (int stiff = at.code & CSG_QUADRIC_STIFF; stiff != 0; stiff = 0)
+            at.key = csg_stiff_quadric(p, d);
 #ifdef CSG_HAS_GAP
         if ((flags & CSG_RECORD_GAP) != 0)
-            csg_gap_quadric(t0, t1, t2, p, d, entries + exits, span, gap);
+            gap = csg_gap_quadric(at, entries + exits, span);
         else
 #endif
-            csg_clip_quadric(t0, t1, t2, p, d, entries + exits, span);
+            csg_clip_quadric(at, entries + exits, span);
         p += CSG_QUADRIC_TEXELS;
     }
 #endif

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Which face is visible in a pixel, and at what key. csg_resolve is the variant's. */
 
-flat in ivec4 csg_object; /* reference pixel; begin, end */
+flat in ivec3 csg_object; /* begin, end in the data texture; 1: some quadrics are stiff */
 
 uniform vec2 csg_window;      /* of the band that is drawn, in the whole picture */
+uniform vec2 csg_at;          /* the reference pixel */
 uniform float csg_depth_bias; /* overlays win over what they repeat */
 
 layout(location = 0) out uvec2 csg_visible;
@@ -13,8 +14,8 @@ void main()
     float k;
     ivec2 place;
     bool inside;
-    vec2 d = gl_FragCoord.xy + csg_window - vec2(csg_object.xy);
-    if (!csg_resolve(csg_object.z, csg_object.w, d, k, place, inside))
+    vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+    if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
     int attributes = int(csg_texel(place.x).w) * 4;
     csg_visible = uvec2(floatBitsToUint(k), uint(attributes + CSG_ATTRIBUTE_NORMALS + place.y + 1));

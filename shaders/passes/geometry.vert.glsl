@@ -2,14 +2,13 @@
 /* One instance per object: a rectangle that holds what the object can cover. */
 
 layout(location = 0) in vec4 csg_rect;      /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in vec2 csg_pixel;     /* the reference pixel */
-layout(location = 2) in ivec2 csg_records;  /* begin, end in the data texture */
+layout(location = 1) in ivec3 csg_records;  /* begin, end in the data texture; 1: some are stiff */
 
-flat out ivec4 csg_object; /* reference pixel; begin, end */
+flat out ivec3 csg_object;
 
 void main()
 {
-    csg_object = ivec4(ivec2(csg_pixel), csg_records);
+    csg_object = csg_records;
 #ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by csg_source_straight */
     csg_hand_over(csg_records.x);
 #endif

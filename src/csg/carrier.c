@@ -79,17 +79,21 @@ static bool find_plane(const struct builder *builder, const struct csg_plane *pl
 }
 
 /* Same normal form up to sign: the only quadrics that can be the same surface. */
-static bool same_class(const struct csg_quadric *a, const struct csg_quadric *b, double *sign)
+static bool same_class(const struct csg_quadric *a, const struct csg_quadric *b)
 {
-    for (double s = 1; s >= -1; s -= 2) {
+    for (double s = 1; s >= -1; s -= 2)
         if (a->diag[0] == s * b->diag[0] && a->diag[1] == s * b->diag[1] &&
             a->diag[2] == s * b->diag[2] && a->diag[3] == s * b->diag[3] &&
-            fabs(a->linear) == fabs(b->linear)) {
-            *sign = s;
+            fabs(a->linear) == fabs(b->linear))
             return true;
-        }
-    }
     return false;
+}
+
+/* Whether the insides lie on different sides. The normal form does not tell: a saddle's complement
+ * has the same one. */
+static bool is_flipped(const struct csg_quadric *a, const struct csg_quadric *b, struct csg_vec3 at)
+{
+    return csg_dot(csg_quadric_gradient(a, at), csg_quadric_gradient(b, at)) < 0;
 }
 
 static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec3 *points,
@@ -111,15 +115,14 @@ static bool find_quadric(const struct builder *builder, const struct csg_shape *
     struct csg_index_probe probe;
     csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
-        double sign;
         const struct csg_quadric *carrier = &builder->carriers->quadrics[i];
-        if (!same_class(&shape->quadric, carrier, &sign))
+        if (!same_class(&shape->quadric, carrier))
             continue;
         if (!num_points)
             num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
         if (same_surface(carrier, points, num_points,
                          tolerance(extent, builder->quadric_rounding.data[i]))) {
-            *face = (struct csg_face){i, sign < 0};
+            *face = (struct csg_face){i, is_flipped(&shape->quadric, carrier, points[0])};
             return true;
         }
     }

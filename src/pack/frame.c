@@ -167,7 +167,8 @@ static size_t attribute_size(const struct csg_carriers *carriers, const struct c
     return (size + 3) / 4 * 4;
 }
 
-static void pack_leaf(const struct packer *packer, const struct csg_object *object,
+/* Whether the leaf's quadric is stiff in this view. */
+static bool pack_leaf(const struct packer *packer, const struct csg_object *object,
                       const struct csg_step *step, float (*record)[4], float (*attributes)[4],
                       size_t attribute_index)
 {
@@ -185,6 +186,8 @@ static void pack_leaf(const struct packer *packer, const struct csg_object *obje
     record[0][3] = (float)(attribute_index / 4);
     step_color(packer, object, step, attributes[CSG_ATTRIBUTE_COLOR]);
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)step->leaf;
+    return step->flags & CSG_RECORD_QUADRIC &&
+           ((int)record[1 + num_planes][3] & CSG_QUADRIC_STIFF);
 }
 
 /* Appends an object's records and, behind them, its attribute blocks. */
@@ -210,7 +213,8 @@ static bool pack_object(const struct packer *packer, size_t index, struct csg_dr
         if (steps[i].flags & CSG_RECORD_POP) {
             texels[record][2] = (float)steps[i].flags;
         } else {
-            pack_leaf(packer, object, &steps[i], texels + record, texels + attribute, attribute);
+            draw->instance.records[2] |= pack_leaf(packer, object, &steps[i], texels + record,
+                                                   texels + attribute, attribute);
             draw->translucent |= texels[attribute + CSG_ATTRIBUTE_COLOR][3] < 1;
         }
         record += record_size(carriers, &steps[i]);
@@ -255,8 +259,6 @@ static bool add_object(struct packer *packer, size_t index, struct csg_rect *rec
         draw.instance.rect[i] = (float)(2 * rect.lo[i] / size[i] - 1);
         draw.instance.rect[2 + i] = (float)(2 * rect.hi[i] / size[i] - 1);
     }
-    draw.instance.at[0] = (float)packer->frame->at.x;
-    draw.instance.at[1] = (float)packer->frame->at.y;
     frame->proxy_pixels +=
         (size_t)(ceil(rect.hi[0] - rect.lo[0]) * ceil(rect.hi[1] - rect.lo[1]));
     return pack_object(packer, index, &draw) && csg_array_push(&frame->draws, draw);

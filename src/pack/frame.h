@@ -14,8 +14,7 @@
 /* One instance: the vertex shader's attributes. */
 struct csg_instance {
     float rect[4];     /* clip space */
-    float at[2];       /* reference pixel */
-    int32_t records[2]; /* begin, end in the data texture */
+    int32_t records[3]; /* begin, end in the data texture; 1 where some quadrics are stiff */
 };
 
 struct csg_draw {

@@ -45,6 +45,8 @@ static void set_screen(const struct picture *picture, GLuint program)
     gl->UseProgram(program);
     gl->Uniform1i(gl->GetUniformLocation(program, "csg_data"), 0);
     gl->Uniform2f(gl->GetUniformLocation(program, "csg_window"), 0, (float)picture->first_row);
+    gl->Uniform2f(gl->GetUniformLocation(program, "csg_at"),
+                  (float)picture->renderer->frame.at.x, (float)picture->renderer->frame.at.y);
     gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_depth"), screen->depth[0],
                   screen->depth[1], screen->depth[2], screen->depth[3]);
     gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_key"), (float)screen->a,
@@ -56,11 +58,9 @@ static void point_instances(struct csg_gl *gl, size_t first)
     const size_t size = sizeof(struct csg_instance), base = first * size;
     gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
                             (const void *)(base + offsetof(struct csg_instance, rect)));
-    gl->VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, (GLsizei)size,
-                            (const void *)(base + offsetof(struct csg_instance, at)));
-    gl->VertexAttribIPointer(2, 2, GL_INT, (GLsizei)size,
+    gl->VertexAttribIPointer(1, 3, GL_INT, (GLsizei)size,
                              (const void *)(base + offsetof(struct csg_instance, records)));
-    for (GLuint i = 0; i < 3; i++) {
+    for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribDivisor(i, 1);
     }
@@ -138,8 +138,6 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     gl->BindVertexArray(picture->renderer->empty_array);
     set_screen(picture, picture->shade);
     gl->Uniform1i(gl->GetUniformLocation(picture->shade, "csg_visible"), 1);
-    gl->Uniform2f(gl->GetUniformLocation(picture->shade, "csg_at"),
-                  (float)picture->renderer->frame.at.x, (float)picture->renderer->frame.at.y);
     set_light(picture, round);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);

@@ -49,43 +49,66 @@ static void add_texel(struct parameters *parameters, size_t offset)
     csg_text_add(parameters->fragment, "csg_handed[%zu]", parameters->num_handed++);
 }
 
-static void add_quadric(struct parameters *parameters, size_t step, size_t record, size_t face,
-                        bool gap)
+/* The crossings of all quadrics, q1, q2, ... by step. The other form is behind one branch for all
+ * of them: a branch for each makes the driver's compiler take time exponential in their number. */
+static void add_quadrics(struct parameters *parameters, const struct csg_structure *structure,
+                         const struct leaf_code *leaves)
 {
-    csg_text_add(parameters->fragment, gap ? "    vec2 g%zu;\n    csg_gap_quadric("
-                                           : "    csg_clip_quadric(", step);
-    for (size_t i = 0; i < 3; i++) {
-        add_texel(parameters, record + i);
-        csg_text_add(parameters->fragment, ", ");
+    struct csg_text *text = parameters->fragment;
+    for (size_t i = 0; i < structure->num; i++) {
+        const size_t first = leaves[i].record + 1 + leaves[i].num_planes;
+        if (!(structure->steps[i].flags & CSG_RECORD_QUADRIC))
+            continue;
+        csg_text_add(text, "    csg_crossings q%zu = csg_quadric(", i);
+        for (size_t j = 0; j < 3; j++) {
+            add_texel(parameters, first + j);
+            csg_text_add(text, ", ");
+        }
+        csg_text_add(text, "d);\n");
     }
-    csg_text_add(parameters->fragment, "begin + %zu, d, %zu, s%zu", record, face, step);
-    if (gap)
-        csg_text_add(parameters->fragment, ", g%zu", step);
-    csg_text_add(parameters->fragment, ");\n");
+    csg_text_add(text, "    for (int stiff = object.z; stiff != 0; stiff = 0) {\n");
+    for (size_t i = 0; i < structure->num; i++)
+        if (structure->steps[i].flags & CSG_RECORD_QUADRIC)
+            csg_text_add(text, "        q%zu.key = (q%zu.code & CSG_QUADRIC_STIFF) != 0 ? "
+                               "csg_stiff_quadric(begin + %zu, d) : q%zu.key;\n",
+                         i, i, leaves[i].record + 1 + leaves[i].num_planes, i);
+    csg_text_add(text, "    }\n");
 }
 
 static void add_spans(struct parameters *parameters, const struct csg_structure *structure,
-                      struct leaf_code *leaves)
+                      const struct leaf_code *leaves)
+{
+    struct csg_text *text = parameters->fragment;
+    for (size_t i = 0; i < structure->num; i++) {
+        if (is_pop(structure, i))
+            continue;
+        csg_text_add(text, "    csg_span s%zu = csg_whole_ray();\n", i);
+        for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
+            csg_text_add(text, "    csg_clip_plane(");
+            add_texel(parameters, leaves[i].record + 1 + plane);
+            csg_text_add(text, ", d, %zu, s%zu);\n", plane, i);
+        }
+        if (leaves[i].gap)
+            csg_text_add(text, "    vec2 g%zu = csg_gap_quadric(q%zu, %zu, s%zu);\n", i, i,
+                         leaves[i].num_planes, i);
+        else if (structure->steps[i].flags & CSG_RECORD_QUADRIC)
+            csg_text_add(text, "    csg_clip_quadric(q%zu, %zu, s%zu);\n", i,
+                         leaves[i].num_planes, i);
+    }
+}
+
+static void fill_leaves(const struct csg_structure *structure, struct leaf_code *leaves)
 {
     size_t record = 0;
     for (size_t i = 0; i < structure->num; i++) {
         const uint32_t flags = structure->steps[i].flags;
-        leaves[i] = (struct leaf_code){record++, 0, 0, flags & CSG_RECORD_GAP};
+        leaves[i] = (struct leaf_code){.record = record++, .gap = flags & CSG_RECORD_GAP};
         if (is_pop(structure, i))
             continue;
         leaves[i].rank = rank_of(structure, i);
         leaves[i].num_planes =
             structure->scene->leaves[structure->steps[i].leaf].shape.num_planes;
-        csg_text_add(parameters->fragment, "    csg_span s%zu = csg_whole_ray();\n", i);
-        for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
-            csg_text_add(parameters->fragment, "    csg_clip_plane(");
-            add_texel(parameters, record++);
-            csg_text_add(parameters->fragment, ", d, %zu, s%zu);\n", plane, i);
-        }
-        if (flags & CSG_RECORD_QUADRIC) {
-            add_quadric(parameters, i, record, leaves[i].num_planes, leaves[i].gap);
-            record += CSG_QUADRIC_TEXELS;
-        }
+        record += leaves[i].num_planes + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
     }
 }
 
@@ -184,13 +207,16 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
     struct csg_text handing = {0}, code = {0};
     struct parameters parameters = {&handing, &code, 0, max_handed};
     if (leaves) {
+        fill_leaves(structure, leaves);
+        add_quadrics(&parameters, structure, leaves);
         add_spans(&parameters, structure, leaves);
         add_search(&code, structure, leaves);
         add_change(&code, structure, leaves);
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
         csg_text_add(fragment, "flat in vec4 csg_handed[%zu];\n\n"
-                               "bool csg_resolve(int begin, int end, vec2 d, out float k,"
-                               " out ivec2 place, out bool inside)\n{\n    inside = false;\n%s",
+                               "bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place,"
+                               " out bool inside)\n{\n    int begin = object.x;\n"
+                               "    inside = false;\n%s",
                      parameters.num_handed, code.data ? code.data : "");
         csg_text_add(vertex, "flat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
                              "void csg_hand_over(int begin)\n{\n%s}\n",

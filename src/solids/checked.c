@@ -30,8 +30,8 @@ bool csg_checked_positive(const struct csg_args *args, const char *name, double 
     return true;
 }
 
-bool csg_checked_vector(const struct csg_args *args, const char *name, size_t num,
-                        double *numbers, double *rounding)
+bool csg_checked_vector(const struct csg_args *args, const char *name, size_t num, double *numbers,
+                        double *rounding)
 {
     const struct csg_value *value = csg_args_find(args, name);
     double found[3];
@@ -49,8 +49,8 @@ bool csg_checked_vector(const struct csg_args *args, const char *name, size_t nu
     return true;
 }
 
-bool csg_checked_lengths(const struct csg_args *args, const char *name, size_t num,
-                         double *lengths, double *rounding)
+bool csg_checked_lengths(const struct csg_args *args, const char *name, size_t num, double *lengths,
+                         double *rounding)
 {
     const struct csg_value *value = csg_args_find(args, name);
     if (value && value->type == CSG_VALUE_NUMBER) {

@@ -21,11 +21,11 @@ bool csg_checked_positive(const struct csg_args *args, const char *name, double 
                           double *rounding);
 
 /* num numbers above 0, or one that stands for all. */
-bool csg_checked_lengths(const struct csg_args *args, const char *name, size_t num,
-                         double *lengths, double *rounding);
+bool csg_checked_lengths(const struct csg_args *args, const char *name, size_t num, double *lengths,
+                         double *rounding);
 
 /* num (at most 3) finite numbers. */
-bool csg_checked_vector(const struct csg_args *args, const char *name, size_t num,
-                        double *numbers, double *rounding);
+bool csg_checked_vector(const struct csg_args *args, const char *name, size_t num, double *numbers,
+                        double *rounding);
 
 #endif

@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* OpenSCAD 2021.01's constants (primitives.cc, grid.h). */
-#define SMALLEST_STEP 0.01            /* of $fa in degrees and of $fs in scene units */
+#define SMALLEST_STEP 0.01              /* of $fa in degrees and of $fs in scene units */
 #define SMALLEST_RADIUS (1.0 / 1048576) /* GRID_FINE: smaller circles have three fragments */
 
 /* --facets=auto: up to so many fragments are meant as a polygon, beyond them as a circle. */

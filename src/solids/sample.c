@@ -112,8 +112,8 @@ size_t csg_shape_sample(const struct csg_shape *shape, struct csg_vec3 *points, 
         double roots[2];
         const int num_roots = line_roots(&shape->quadric, from, to, roots);
         for (int j = 0; j < num_roots && num < max; j++) {
-            const struct csg_vec3 p = polish(
-                &shape->quadric, csg_add(from, csg_scale(roots[j], csg_sub(to, from))));
+            const struct csg_vec3 p =
+                polish(&shape->quadric, csg_add(from, csg_scale(roots[j], csg_sub(to, from))));
             if (is_within_planes(shape, p))
                 points[num++] = p;
         }

@@ -53,9 +53,8 @@ bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double
     const double size = fmax(fabs(normal.x), fmax(fabs(normal.y), fabs(normal.z)));
     const struct csg_vec3 n = csg_vec3(normal.x / size, normal.y / size, normal.z / size);
     const double length = csg_length(n);
-    shape->planes[shape->num_planes++] =
-        (struct csg_plane){csg_vec3(n.x / length, n.y / length, n.z / length),
-                           offset / size / length};
+    shape->planes[shape->num_planes++] = (struct csg_plane){
+        csg_vec3(n.x / length, n.y / length, n.z / length), offset / size / length};
     return true;
 }
 

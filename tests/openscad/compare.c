@@ -35,12 +35,11 @@ static bool depth_agrees(const struct tolerance *tolerance, const struct pixel *
         return true;
     const double error = fabs(pixel->z - hit->t);
     const double allowed = tolerance->depth * fabs(hit->t);
-    if (tolerance->sagitta == 0)
-        return error <= allowed;
     const double slope = fmin(fabs(csg_dot(hit->normal, ray->dir)),
-                              fabs(csg_dot(pixel->normal, ray->dir))) / csg_length(ray->dir);
-    const double way = error * csg_length(ray->dir);
-    return way * slope <= tolerance->sagitta * sagitta_slack + allowed;
+                              fabs(csg_dot(pixel->normal, ray->dir)));
+    if (tolerance->sagitta == 0)
+        return error <= allowed || error * slope <= tolerance->rounding;
+    return error * slope <= tolerance->sagitta * sagitta_slack + allowed;
 }
 
 /* Whether the mesh agrees a little aside of the pixel's centre, beyond an edge. */

@@ -47,8 +47,9 @@ enum verdict {
 };
 
 struct tolerance {
-    double depth;   /* of z, relative */
-    double sagitta; /* of the distance along the normal, scene units; 0: as written */
+    double depth;    /* of z, relative */
+    double rounding; /* scene units along the normal: what six digits in a .csg do to a surface */
+    double sagitta;  /* scene units along the normal; 0: as written */
 };
 
 struct comparison {

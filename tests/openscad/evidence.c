@@ -4,6 +4,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+static const int max_printed = 3;
+
+void evidence_print(const struct reference *reference, const struct csgcast_image *image,
+                    const struct comparison *comparison)
+{
+    int num_printed = 0;
+    const size_t num_pixels = (size_t)reference->width * (size_t)reference->height;
+    for (size_t i = 0; i < num_pixels && num_printed < max_printed; i++) {
+        const struct hit *hit = &reference->hits[i];
+        const float *n = &image->normal[3 * i];
+        if (comparison->verdicts[i] != VERDICT_OFF && comparison->verdicts[i] != VERDICT_DEPTH)
+            continue;
+        printf("    pixel %zu,%zu: z %.9g n %.3f %.3f %.3f, mesh z %.9g n %.3f %.3f %.3f\n",
+               i % (size_t)reference->width, i / (size_t)reference->width, (double)image->z[i],
+               (double)n[0], (double)n[1], (double)n[2], hit->found ? hit->t : INFINITY,
+               hit->normal.x, hit->normal.y, hit->normal.z);
+        num_printed++;
+    }
+}
+
 static void set_color(float *rgba, double r, double g, double b)
 {
     rgba[0] = (float)r;

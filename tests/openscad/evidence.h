@@ -4,6 +4,10 @@
 
 #include "compare.h"
 
+/* Prints the first few pixels that count against csgcast. */
+void evidence_print(const struct reference *reference, const struct csgcast_image *image,
+                    const struct comparison *comparison);
+
 /*
  * Writes STEM.out.png (csgcast), STEM.ref.png (the mesh) and STEM.diff.png: grey where they agree,
  * yellow at edges that may differ, blue for thin, red for hit against miss, magenta for depth.

@@ -115,16 +115,36 @@ static enum csg_read_result read_solid(const char *kind, const char *args,
 }
 
 /* 0 to 1, the same on every machine. */
-static double random_unit(void)
+static inline double random_unit(void)
 {
     static unsigned long long state = 42;
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return (double)(state >> 11) / 9007199254740992.0;
 }
 
-static double random_between(double lo, double hi)
+static inline double random_between(double lo, double hi)
 {
     return lo + (hi - lo) * random_unit();
+}
+
+static inline const double *components(const struct csg_vec3 *v)
+{
+    return &v->x;
+}
+
+static inline bool same_point(const struct csg_vec3 *a, const struct csg_vec3 *b)
+{
+    bool same = true;
+    for (int i = 0; i < 3; i++) {
+        const double x = components(a)[i], y = components(b)[i];
+        same &= x == y || fabs(x - y) < 1e-9;
+    }
+    return same;
+}
+
+static inline bool same_box(const struct csg_box *a, const struct csg_box *b)
+{
+    return same_point(&a->lo, &b->lo) && same_point(&a->hi, &b->hi);
 }
 
 #endif

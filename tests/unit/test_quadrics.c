@@ -171,8 +171,8 @@ static void check_pose(const struct quadric_class *class, const double lengths[3
                        const double center[3], bool turned, long double tolerance)
 {
     const struct form straight = canonical(class, lengths);
-    long double pose[4][4] = {{1, 0, 0, -center[0]}, {0, 1, 0, -center[1]}, {0, 0, 1, -center[2]},
-                              {0, 0, 0, 1}};
+    long double pose[4][4] = {
+        {1, 0, 0, -center[0]}, {0, 1, 0, -center[1]}, {0, 0, 1, -center[2]}, {0, 0, 0, 1}};
     struct csg_shape shape;
     struct messages messages;
     char text[1024];
@@ -239,7 +239,8 @@ static void check_errors(void)
         struct csg_shape shape;
         struct messages messages;
         CHECK(read_solid("quadric", errors[i], CSGCAST_FACETS_AUTO, &shape, &messages) ==
-                  CSG_READ_ERROR, "%s", errors[i]);
+                  CSG_READ_ERROR,
+              "%s", errors[i]);
         CHECK(messages.num == 1 && strncmp(messages.last, "test:3:5: quadric: ", 19) == 0, "%s: %s",
               errors[i], messages.last);
         csg_shape_finish(&shape);
@@ -249,10 +250,9 @@ static void check_errors(void)
 /* The normal form of f and of -f is the same up to sign: csg/carrier.c relies on it. */
 static void check_complement(const struct quadric_class *class)
 {
-    const double lengths[3] = {1, 2, 3}, center[3] = {0, 0, 0};
+    const double lengths[3] = {1, 2, 3};
     struct form form = canonical(class, lengths);
     struct csg_shape shapes[2];
-    (void)center;
     for (int i = 0; i < 2; i++) {
         char text[1024];
         struct messages messages;
@@ -282,8 +282,8 @@ static void check_extremes(void)
         for (int j = 0; j < 4; j++)
             for (int k = j; k < 4; k++)
                 if (random_unit() < 0.6)
-                    form.q[j][k] = random_between(-1, 1) *
-                                   pow(10, random_between(-exponent, exponent));
+                    form.q[j][k] =
+                        random_between(-1, 1) * pow(10, random_between(-exponent, exponent));
         print_form(&form, false, text, sizeof text);
         const enum csg_read_result result =
             read_solid("quadric", text, CSGCAST_FACETS_AUTO, &shape, &messages);
@@ -291,10 +291,11 @@ static void check_extremes(void)
         for (int j = 0; result == CSG_READ_OK && shape.has_quadric && j < 12; j++)
             finite &= isfinite(shape.quadric.to_canon.m[j / 4][j % 4]) != 0;
         for (size_t j = 0; j < shape.num_planes; j++)
-            finite &= isfinite(csg_length(shape.planes[j].normal)) && isfinite(shape.planes[j].offset);
+            finite &= isfinite(csg_length(shape.planes[j].normal) + shape.planes[j].offset) != 0;
         CHECK(result != CSG_READ_ERROR && finite, "%s", text);
-        CHECK(result != CSG_READ_OK || !isnan(shape.bounds.lo.x + shape.bounds.lo.y +
-                                              shape.bounds.lo.z), "%s", text);
+        CHECK(result != CSG_READ_OK ||
+                  !isnan(shape.bounds.lo.x + shape.bounds.lo.y + shape.bounds.lo.z),
+              "%s", text);
         csg_shape_finish(&shape);
     }
 }

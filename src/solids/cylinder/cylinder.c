@@ -73,8 +73,8 @@ static enum csg_read_result fill(const struct csg_args *args, struct csg_shape *
     const double largest = fmax(rings[0].radius, rings[1].radius);
     fill_quadric(shape, rings);
     shape->convex = true;
-    shape->bounds = (struct csg_box){{-largest, -largest, rings[0].z},
-                                     {largest, largest, rings[1].z}};
+    shape->bounds =
+        (struct csg_box){{-largest, -largest, rings[0].z}, {largest, largest, rings[1].z}};
     if (csg_shape_add_plane(shape, csg_vec3(0, 0, -1), -rings[0].z) &&
         csg_shape_add_plane(shape, csg_vec3(0, 0, 1), rings[1].z))
         return CSG_READ_OK;

@@ -20,9 +20,8 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
     if (!read_radii(args, r, &shape->rounding))
         return CSG_READ_ERROR;
     shape->has_quadric = true;
-    shape->quadric =
-        (struct csg_quadric){.diag = {1, 1, 1, -1},
-                             .to_canon = csg_map_scaling(csg_vec3(1 / r[0], 1 / r[1], 1 / r[2]))};
+    shape->quadric = (struct csg_quadric){
+        .diag = {1, 1, 1, -1}, .to_canon = csg_map_scaling(csg_vec3(1 / r[0], 1 / r[1], 1 / r[2]))};
     shape->convex = true;
     shape->bounds = (struct csg_box){{-r[0], -r[1], -r[2]}, {r[0], r[1], r[2]}};
     shape->written = shape->bounds;

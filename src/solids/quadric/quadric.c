@@ -83,8 +83,7 @@ static bool read_matrix(const struct csg_args *args, const struct csg_value *val
     return true;
 }
 
-static bool read_form(const struct csg_args *args, struct csg_form *form,
-                      struct csg_form *rounding)
+static bool read_form(const struct csg_args *args, struct csg_form *form, struct csg_form *rounding)
 {
     const struct csg_value *coefficients = csg_args_find(args, "coefficients");
     const struct csg_value *matrix = csg_args_find(args, "matrix");
@@ -233,8 +232,8 @@ static void fill_bounds(const struct csg_normal_form *normal, struct csg_box *bo
                              : INFINITY;
         if (i == normal->slope_axis) { /* 2 slope u + constant <= 0 */
             const double end = -normal->constant / (2 * normal->slope);
-            add_reach(axis, normal->slope > 0 ? -INFINITY : end,
-                      normal->slope > 0 ? end : INFINITY, lo, hi);
+            add_reach(axis, normal->slope > 0 ? -INFINITY : end, normal->slope > 0 ? end : INFINITY,
+                      lo, hi);
         } else if (!isfinite(r)) {
             add_reach(axis, -INFINITY, INFINITY, lo, hi);
         } else {
@@ -321,8 +320,8 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
     csg_form_normalise(&form);
     shape->convex = true;
     shape->bounds = csg_box_all;
-    const enum csg_read_result result = csg_form_is_flat(&form) ? fill_flat(args, &form, shape)
-                                                                : fill_curved(args, &form, shape);
+    const enum csg_read_result result =
+        csg_form_is_flat(&form) ? fill_flat(args, &form, shape) : fill_curved(args, &form, shape);
     if (result == CSG_READ_OK && shape->has_quadric)
         shape->rounding = rounding_length(&written, &rounding, shape);
     shape->written = shape->bounds;

@@ -32,8 +32,8 @@ static void fill_quadric(struct csg_shape *shape, double radius)
 {
     const double s = 1 / radius;
     shape->has_quadric = true;
-    shape->quadric = (struct csg_quadric){.diag = {1, 1, 1, -1},
-                                          .to_canon = csg_map_scaling(csg_vec3(s, s, s))};
+    shape->quadric =
+        (struct csg_quadric){.diag = {1, 1, 1, -1}, .to_canon = csg_map_scaling(csg_vec3(s, s, s))};
     shape->convex = true;
     shape->bounds = (struct csg_box){{-radius, -radius, -radius}, {radius, radius, radius}};
 }
