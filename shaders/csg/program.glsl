@@ -13,11 +13,12 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 g
     csg_clip_planes(p + 1, entries, exits, d, span);
     p += 1 + entries + exits;
 #ifdef CSG_HAS_QUADRIC
-    /* Loops that run once or not at all: llvmpipe skips those, and runs both sides of a branch. */
-    for (int quadric = flags & CSG_RECORD_QUADRIC; quadric != 0; quadric = 0) {
+    if ((flags & CSG_RECORD_QUADRIC) != 0) {
         csg_crossings at = csg_quadric(csg_texel(p), csg_texel(p + 1), csg_texel(p + 2), d);
-        for (int stiff = at.code & CSG_QUADRIC_STIFF; stiff != 0; stiff = 0)
+#ifdef CSG_HAS_STIFF
+        if ((at.code & CSG_QUADRIC_STIFF) != 0)
             at.key = csg_stiff_quadric(p, d);
+#endif
 #ifdef CSG_HAS_GAP
         if ((flags & CSG_RECORD_GAP) != 0)
             gap = csg_gap_quadric(at, entries + exits, span);

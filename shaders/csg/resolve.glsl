@@ -2,7 +2,7 @@
 /* The first change of the solid along the ray, by interval jumping. */
 
 /* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. */
-bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool inside)
+bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;
     k = -CSG_KEY_MAX;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Which face is visible in a pixel, and at what key. csg_resolve is the variant's. */
 
-flat in ivec3 csg_object; /* begin, end in the data texture; 1: some quadrics are stiff */
+flat in ivec2 csg_object; /* begin, end in the data texture */
 
 uniform vec2 csg_window;      /* of the band that is drawn, in the whole picture */
 uniform vec2 csg_at;          /* the reference pixel */

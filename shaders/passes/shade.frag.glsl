@@ -2,9 +2,7 @@
 /* Deferred shading: normal and colour of what csg_visible names. */
 
 uniform usampler2D csg_visible;
-uniform vec3 csg_light;      /* direction in world space */
-uniform vec4 csg_ambient;    /* ambient part; 1: an overlay, which leaves missed pixels alone */
-uniform vec4 csg_background;
+uniform vec4 csg_light; /* direction in world space, ambient part */
 uniform vec2 csg_window;
 uniform vec2 csg_at; /* the reference pixel */
 
@@ -17,22 +15,13 @@ layout(location = 2) out vec4 csg_leaf;
 void main()
 {
     uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy), 0).xy;
-    if (visible.y == 0u) {
-        if (csg_ambient.y != 0.0)
-            discard;
-        csg_color = csg_background;
-        csg_geometry = vec4(0.0, 0.0, 0.0, uintBitsToFloat(0x7f800000u));
-#ifdef CSG_WANT_LEAF
-        csg_leaf = vec4(-1.0);
-#endif
-        return;
-    }
+    if (visible.y == 0u)
+        discard; /* cleared to the background, or what an overlay lies on */
     float k = uintBitsToFloat(visible.x);
     int p = int(visible.y) - 1;
     vec4 face = csg_texel(p);
     vec3 normal = face.xyz;
-    /* A loop, since llvmpipe skips those and runs both sides of a branch. */
-    for (bool quadric = face.w < 0.0; quadric; quadric = false) {
+    if (face.w < 0.0) {
         vec2 d = gl_FragCoord.xy + csg_window - csg_at;
         normal += d.x * csg_texel(p + 1).xyz + d.y * csg_texel(p + 2).xyz + k * csg_texel(p + 3).xyz;
         float size = length(normal);
@@ -40,7 +29,7 @@ void main()
     }
     int attributes = (int(abs(face.w)) - 1) * 4;
     vec4 base = csg_texel(attributes + CSG_ATTRIBUTE_COLOR);
-    float light = csg_ambient.x + abs(dot(normal, csg_light));
+    float light = csg_light.w + abs(dot(normal, csg_light.xyz));
     csg_color = vec4(min(base.rgb * light, 1.0), base.a);
     csg_geometry = vec4(normal, csg_distance(k));
 #ifdef CSG_WANT_LEAF

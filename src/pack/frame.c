@@ -213,8 +213,8 @@ static bool pack_object(const struct packer *packer, size_t index, struct csg_dr
         if (steps[i].flags & CSG_RECORD_POP) {
             texels[record][2] = (float)steps[i].flags;
         } else {
-            draw->instance.records[2] |= pack_leaf(packer, object, &steps[i], texels + record,
-                                                   texels + attribute, attribute);
+            draw->stiff |= pack_leaf(packer, object, &steps[i], texels + record,
+                                     texels + attribute, attribute);
             draw->translucent |= texels[attribute + CSG_ATTRIBUTE_COLOR][3] < 1;
         }
         record += record_size(carriers, &steps[i]);

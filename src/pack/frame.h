@@ -14,7 +14,7 @@
 /* One instance: the vertex shader's attributes. */
 struct csg_instance {
     float rect[4];     /* clip space */
-    int32_t records[3]; /* begin, end in the data texture; 1 where some quadrics are stiff */
+    int32_t records[2]; /* begin, end in the data texture */
 };
 
 struct csg_draw {
@@ -23,6 +23,7 @@ struct csg_draw {
     uint8_t layer;
     bool translucent;  /* drawn after the opaque objects */
     bool around_eye;   /* the eye can be inside */
+    bool stiff;        /* some quadric needs the other form in this view */
 };
 
 struct csg_frame {

@@ -12,8 +12,8 @@
 struct known {
     const struct csg_step *steps; /* of the first object that has it */
     size_t num;
+    bool stiff;
     GLuint program;
-    enum csg_resolver resolver;
 };
 
 struct chooser {
@@ -21,7 +21,7 @@ struct chooser {
     const struct csg_request *request;
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
-    GLuint loops[4], sorted[4]; /* by features */
+    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS]; /* by features */
     size_t max_handed;          /* flat inputs that the driver allows */
 };
 
@@ -38,9 +38,9 @@ static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint3
 }
 
 /* Same flags, planes and file order of the leaves: the same straight-line text. */
-static bool same_structure(const struct csg_structure *a, const struct known *b)
+static bool same_structure(const struct csg_structure *a, bool stiff, const struct known *b)
 {
-    if (a->num != b->num)
+    if (a->num != b->num || stiff != b->stiff)
         return false;
     for (size_t i = 0; i < a->num; i++) {
         const struct csg_step *x = &a->steps[i], *y = &b->steps[i];
@@ -58,10 +58,11 @@ static bool same_structure(const struct csg_structure *a, const struct known *b)
     return true;
 }
 
-static struct known *find_straight(struct chooser *chooser, const struct csg_structure *structure)
+static struct known *find_straight(struct chooser *chooser, const struct csg_structure *structure,
+                                   bool stiff)
 {
     for (size_t i = 0; i < chooser->num_straight; i++)
-        if (same_structure(structure, &chooser->straight[i]))
+        if (same_structure(structure, stiff, &chooser->straight[i]))
             return &chooser->straight[i];
     return NULL;
 }
@@ -74,16 +75,16 @@ static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                                                 chooser->max_handed));
 }
 
-static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure)
+static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure,
+                              bool stiff, int features)
 {
-    struct known *known = find_straight(chooser, structure);
+    struct known *known = find_straight(chooser, structure, stiff);
     if (known)
         return known->program;
-    const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure,
-                                   csg_structure_features(structure));
+    const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure, features);
     if (program)
         chooser->straight[chooser->num_straight++] =
-            (struct known){structure->steps, structure->num, program, CSG_RESOLVER_STRAIGHT};
+            (struct known){structure->steps, structure->num, stiff, program};
     return program;
 }
 
@@ -91,7 +92,8 @@ static bool can_be_straight(struct chooser *chooser, const struct csg_structure 
                             const struct csg_draw *draw)
 {
     return !draw->around_eye && csg_structure_is_small(structure) &&
-           (chooser->num_straight < MAX_STRAIGHT_PROGRAMS || find_straight(chooser, structure));
+           (chooser->num_straight < MAX_STRAIGHT_PROGRAMS ||
+            find_straight(chooser, structure, draw->stiff));
 }
 
 static enum csg_resolver choose_resolver(struct chooser *chooser,
@@ -113,9 +115,10 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
 {
     const struct csg_structure structure = structure_of(chooser->request, draw->object);
     *resolver = choose_resolver(chooser, &structure, draw);
+    const int features =
+        csg_structure_features(&structure) | (draw->stiff ? CSG_FEATURE_STIFF : 0);
     if (*resolver == CSG_RESOLVER_STRAIGHT)
-        return choose_straight(chooser, &structure);
-    const int features = csg_structure_features(&structure);
+        return choose_straight(chooser, &structure, draw->stiff, features);
     GLuint *shared = *resolver == CSG_RESOLVER_LOOP ? chooser->loops : chooser->sorted;
     if (!shared[features])
         shared[features] = compile(chooser, *resolver, &structure, features);

@@ -58,7 +58,7 @@ static void point_instances(struct csg_gl *gl, size_t first)
     const size_t size = sizeof(struct csg_instance), base = first * size;
     gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
                             (const void *)(base + offsetof(struct csg_instance, rect)));
-    gl->VertexAttribIPointer(1, 3, GL_INT, (GLsizei)size,
+    gl->VertexAttribIPointer(1, 2, GL_INT, (GLsizei)size,
                              (const void *)(base + offsetof(struct csg_instance, records)));
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
@@ -107,21 +107,32 @@ static void set_outputs(const struct picture *picture, const struct round *round
     picture->gl->DrawBuffers(3, buffers);
 }
 
-static void set_light(const struct picture *picture, const struct round *round)
+static void set_light(const struct picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     const struct csgcast_frustum *frustum = &picture->request->frustum;
-    const float *background = picture->request->scheme->background;
     float light[3];
     for (int i = 0; i < 3; i++)
         light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
                            CSG_LIGHT_Z * frustum->forward[i]);
-    gl->Uniform3f(gl->GetUniformLocation(picture->shade, "csg_light"), light[0], light[1],
-                  light[2]);
-    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_ambient"),
-                  (float)CSG_LIGHT_AMBIENT, round->overlay, 0, 0);
-    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_background"), background[0],
-                  background[1], background[2], 1);
+    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_light"), light[0], light[1], light[2],
+                  (float)CSG_LIGHT_AMBIENT);
+}
+
+/* What a pixel without a surface has. */
+static void clear_outputs(const struct picture *picture, const struct round *round)
+{
+    struct csg_gl *gl = picture->gl;
+    const float *color = picture->request->scheme->background;
+    const GLfloat background[4] = {color[0], color[1], color[2], 1};
+    const GLfloat nowhere[4] = {0, 0, 0, INFINITY}, no_leaf[4] = {-1, -1, -1, -1};
+    if (round->overlay)
+        return;
+    gl->ClearBufferfv(GL_COLOR, 0, background);
+    if (round->geometry && picture->want_geometry)
+        gl->ClearBufferfv(GL_COLOR, 1, nowhere);
+    if (round->geometry && picture->want_leaf)
+        gl->ClearBufferfv(GL_COLOR, 2, no_leaf);
 }
 
 static void draw_shading(const struct picture *picture, const struct round *round)
@@ -129,6 +140,7 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     struct csg_gl *gl = picture->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
     set_outputs(picture, round);
+    clear_outputs(picture, round);
     gl->Viewport(0, 0, picture->request->width, picture->num_rows);
     gl->Disable(GL_DEPTH_TEST);
     if (round->overlay) {
@@ -138,7 +150,7 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     gl->BindVertexArray(picture->renderer->empty_array);
     set_screen(picture, picture->shade);
     gl->Uniform1i(gl->GetUniformLocation(picture->shade, "csg_visible"), 1);
-    set_light(picture, round);
+    set_light(picture);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);
     gl->ActiveTexture(GL_TEXTURE0);

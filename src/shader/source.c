@@ -119,6 +119,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
     if (features & CSG_FEATURE_GAP)
         csg_text_add(&fragment, "#define CSG_HAS_GAP\n");
+    if (features & CSG_FEATURE_STIFF)
+        csg_text_add(&fragment, "#define CSG_HAS_STIFF\n");
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/screen.glsl");
     add_file(&fragment, "solids/span.glsl");

@@ -20,6 +20,8 @@ extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];
 enum csg_feature {
     CSG_FEATURE_QUADRIC = 1, /* some leaf has a quadric */
     CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
+    CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
+    CSG_NUM_FEATURE_SETS = 8
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */

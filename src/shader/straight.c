@@ -49,8 +49,7 @@ static void add_texel(struct parameters *parameters, size_t offset)
     csg_text_add(parameters->fragment, "csg_handed[%zu]", parameters->num_handed++);
 }
 
-/* The crossings of all quadrics, q1, q2, ... by step. The other form is behind one branch for all
- * of them: a branch for each makes the driver's compiler take time exponential in their number. */
+/* The crossings of all quadrics, q1, q2, ... by step. */
 static void add_quadrics(struct parameters *parameters, const struct csg_structure *structure,
                          const struct leaf_code *leaves)
 {
@@ -66,13 +65,13 @@ static void add_quadrics(struct parameters *parameters, const struct csg_structu
         }
         csg_text_add(text, "d);\n");
     }
-    csg_text_add(text, "    for (int stiff = object.z; stiff != 0; stiff = 0) {\n");
+    csg_text_add(text, "#ifdef CSG_HAS_STIFF\n");
     for (size_t i = 0; i < structure->num; i++)
         if (structure->steps[i].flags & CSG_RECORD_QUADRIC)
-            csg_text_add(text, "        q%zu.key = (q%zu.code & CSG_QUADRIC_STIFF) != 0 ? "
+            csg_text_add(text, "    q%zu.key = (q%zu.code & CSG_QUADRIC_STIFF) != 0 ? "
                                "csg_stiff_quadric(begin + %zu, d) : q%zu.key;\n",
                          i, i, leaves[i].record + 1 + leaves[i].num_planes, i);
-    csg_text_add(text, "    }\n");
+    csg_text_add(text, "#endif\n");
 }
 
 static void add_spans(struct parameters *parameters, const struct csg_structure *structure,
@@ -214,7 +213,7 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
         add_change(&code, structure, leaves);
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
         csg_text_add(fragment, "flat in vec4 csg_handed[%zu];\n\n"
-                               "bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place,"
+                               "bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place,"
                                " out bool inside)\n{\n    int begin = object.x;\n"
                                "    inside = false;\n%s",
                      parameters.num_handed, code.data ? code.data : "");
