@@ -45,8 +45,6 @@
 #define CSG_QUADRIC_AFTER 2    /* ... after the second one */
 #define CSG_QUADRIC_OUTSIDE 3  /* ... before the first and after the second */
 #define CSG_QUADRIC_X_PLUS 4   /* the conic has + x'^2 */
-#define CSG_QUADRIC_Y_PLUS 8   /* ... + y'^2 */
-#define CSG_QUADRIC_Y_MINUS 16 /* ... - y'^2 */
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 

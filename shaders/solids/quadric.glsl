@@ -16,10 +16,9 @@ csg_terms csg_quadric_terms(vec4 t0, vec4 t1, vec4 t2, vec2 d)
 {
     int code = int(t0.w);
     float x = t1.x + (t1.y * d.x + t1.z * d.y);
-    float y = t2.x + (t2.y * d.x + t2.z * d.y);
+    float y = t2.x + (t1.y * d.y - t1.z * d.x);
     float xx = (code & CSG_QUADRIC_X_MINUS) != 0 ? -x : (code & CSG_QUADRIC_X_PLUS) != 0 ? x : 0.0;
-    float yy = (code & CSG_QUADRIC_Y_MINUS) != 0 ? -y : (code & CSG_QUADRIC_Y_PLUS) != 0 ? y : 0.0;
-    float h = (t1.w + y * (t2.w + yy)) + x * xx;
+    float h = (t1.w + y * (t2.z + y * t2.w)) + x * (t2.y + xx);
     return csg_terms(t0.x + (t0.y * d.x + t0.z * d.y), x, y, h);
 }
 

@@ -6,8 +6,8 @@
  * so k = -b/a -+ sqrt(S)/|a| with the silhouette conic S = b^2 - a c. For diagonal Q Lagrange's
  * identity gives S without the difference of large numbers:
  *     S = -sum over i < j of Q_i Q_j (P_i W_j - P_j W_i)^2.
- * S is written in its principal axes, S = C0 + C1 y' +- y'^2 +- x'^2, so that float keeps slender
- * silhouettes, and counted from the leaf's pixel.
+ * S is written in its principal axes, so that float keeps slender silhouettes, and counted from the
+ * leaf's pixel.
  */
 
 #include "pack/screen.h"
@@ -17,6 +17,9 @@
 /* A crossing further than this many times the leaf's depth away is found as c/q, not q/a: beyond
  * it the subtraction of mid and sqrt(h) costs more than two bits. */
 #define STIFF_RATIO 4.0
+
+/* A conic's centre is near when it is within this many times the leaf's radius of its pixel. */
+#define CENTRED_RATIO 2.0
 
 /* Share of its terms below which a has no digits left, and rays meet the surface once. */
 #define DEGENERATE_A 1e-13
@@ -140,12 +143,17 @@ static struct quadratic quadratic_of(const struct pencil *pencil, double key_spa
     return f;
 }
 
-/* Principal axes of a conic: x' = sx (ex . d) + ox, y' = sy (ey . d), d from the leaf's pixel. */
+/*
+ * A conic in its principal axes, S = c0 + x' (cx +- x') + y' (cy + ly y'), where
+ * x' = size (ex . d) + ox and y' = size (ey . d) + oy, d from the leaf's pixel, and ey is ex turned
+ * left by a quarter. Centred where the conic's centre is near; where it is far off, c0 would be
+ * the difference of large numbers, and the linear terms stay.
+ */
 struct axes {
     double ex[2], ey[2];
-    double sx, sy, ox;
-    double c0, c1;
-    int sign_x, sign_y;
+    double size;
+    double ox, oy, c0, cx, cy, ly;
+    int sign_x;
 };
 
 /* Unit eigenvector of the larger eigenvalue, by size, of [xx xy; xy yy]. */
@@ -167,10 +175,19 @@ static int sign_of(double value)
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
+/* One axis of the conic, l u^2 + 2 g u: moves the origin to the extremum, or keeps the slope. */
+static void centre(double l, double g, double pixels, double *offset, double *slope, double *c0)
+{
+    const bool near = fabs(g) <= CENTRED_RATIO * pixels * fabs(l) && l != 0;
+    *offset = near ? g / l : 0;
+    *slope = near ? 0 : 2 * g;
+    *c0 -= near ? g * g / l : 0;
+}
+
 /* pixels: the leaf's radius on the screen; curvature too weak to show over it is dropped. */
 static struct axes axes_of(const double s[6], double pixels)
 {
-    struct axes axes;
+    struct axes axes = {.c0 = s[0]};
     const double xx = s[3], xy = 0.5 * s[4], yy = s[5];
     major_axis(xx, xy, yy, axes.ex);
     axes.ey[0] = -axes.ex[1];
@@ -180,15 +197,20 @@ static struct axes axes_of(const double s[6], double pixels)
     double ly = xx * ey[0] * ey[0] + 2 * xy * ey[0] * ey[1] + yy * ey[1] * ey[1];
     const double gx = 0.5 * (s[1] * ex[0] + s[2] * ex[1]);
     const double gy = 0.5 * (s[1] * ey[0] + s[2] * ey[1]);
-    if (fabs(ly) < 1e-14 * fabs(lx))
+    const double rest = fabs(s[0]) + pixels * (fabs(gx) + fabs(gy));
+    if (fabs(lx) * pixels * pixels < 1e-13 * rest)
+        lx = 0;
+    if (fabs(ly) < 1e-14 * fabs(lx) || lx == 0)
         ly = 0; /* rounding of the products above */
+    axes.size = lx != 0 ? sqrt(fabs(lx)) : 1 / pixels;
     axes.sign_x = sign_of(lx);
-    axes.sign_y = sign_of(ly);
-    axes.sx = lx != 0 ? sqrt(fabs(lx)) : 1 / pixels;
-    axes.sy = ly != 0 ? sqrt(fabs(ly)) : 1 / pixels;
-    axes.ox = lx != 0 ? axes.sx * gx / lx : 0;
-    axes.c0 = s[0] - (lx != 0 ? gx * gx / lx : 0);
-    axes.c1 = 2 * gy / axes.sy;
+    centre(lx, gx, pixels, &axes.ox, &axes.cx, &axes.c0);
+    centre(ly, gy, pixels, &axes.oy, &axes.cy, &axes.c0);
+    axes.ox *= axes.size;
+    axes.oy *= axes.size;
+    axes.cx /= axes.size;
+    axes.cy /= axes.size;
+    axes.ly = ly / (axes.size * axes.size);
     return axes;
 }
 
@@ -205,12 +227,13 @@ static void put_affine(float texel[4], double c0, double cx, double cy, const do
     texel[2] = to_float(cy);
 }
 
-/* c in the axes' coordinates: d = ex (x' - ox) / sx + ey y' / sy. */
+/* c in the axes' coordinates: d = ex (x' - ox) / size + ey (y' - oy) / size. */
 static void put_conic(float texels[2][4], const double c[6], const struct axes *axes, double scale)
 {
-    const double ux[2] = {axes->ex[0] / axes->sx, axes->ex[1] / axes->sx};
-    const double uy[2] = {axes->ey[0] / axes->sy, axes->ey[1] / axes->sy};
-    const double base[2] = {-axes->ox * ux[0], -axes->ox * ux[1]};
+    const double ux[2] = {axes->ex[0] / axes->size, axes->ex[1] / axes->size};
+    const double uy[2] = {axes->ey[0] / axes->size, axes->ey[1] / axes->size};
+    const double base[2] = {-axes->ox * ux[0] - axes->oy * uy[0],
+                            -axes->ox * ux[1] - axes->oy * uy[1]};
     const double c0 = c[0] + c[1] * base[0] + c[2] * base[1] + c[3] * base[0] * base[0] +
                       c[4] * base[0] * base[1] + c[5] * base[1] * base[1];
     const double grad[2] = {c[1] + 2 * c[3] * base[0] + c[4] * base[1],
@@ -291,13 +314,14 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     const struct axes axes = axes_of(s, pixels);
     memset(texels, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
     put_affine(texels[0], scale * f.b[0], scale * f.b[1], scale * f.b[2], shift);
-    put_affine(texels[1], axes.ox, axes.sx * axes.ex[0], axes.sx * axes.ex[1], shift);
-    put_affine(texels[2], 0, axes.sy * axes.ey[0], axes.sy * axes.ey[1], shift);
+    put_affine(texels[1], axes.ox, axes.size * axes.ex[0], axes.size * axes.ex[1], shift);
+    put_affine(texels[2], axes.oy, axes.size * axes.ey[0], axes.size * axes.ey[1], shift);
     texels[1][3] = to_float(axes.c0);
-    texels[2][3] = to_float(axes.c1);
+    texels[2][1] = to_float(axes.cx); /* y' takes its direction from x' */
+    texels[2][2] = to_float(axes.cy);
+    texels[2][3] = to_float(axes.ly);
     int code = region_code(screen, quadric, f.a, flipped, convex, sheet);
     code += axes.sign_x > 0 ? CSG_QUADRIC_X_PLUS : axes.sign_x < 0 ? CSG_QUADRIC_X_MINUS : 0;
-    code += axes.sign_y > 0 ? CSG_QUADRIC_Y_PLUS : axes.sign_y < 0 ? CSG_QUADRIC_Y_MINUS : 0;
     if (stiff) {
         code += CSG_QUADRIC_STIFF;
         put_conic(&texels[3], f.c, &axes, scale);

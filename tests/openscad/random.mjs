@@ -19,18 +19,22 @@ function random() { // mulberry32
 }
 
 const integer = (lo, hi) => lo + Math.floor(random() * (hi - lo + 1));
-const length = (lo, hi) => gridded ? integer(lo, hi) : Number((lo + random() * (hi - lo)).toFixed(2));
+const real = (lo, hi) => Number((lo + random() * (hi - lo)).toFixed(2));
+const length = (lo, hi) => gridded ? integer(lo, hi) : real(lo, hi);
 const pick = (...choices) => choices[integer(0, choices.length - 1)];
 const triple = (make) => `[${make()}, ${make()}, ${make()}]`;
 
 function leaf() {
     const fn = pick(3, 4, 6, 8, 17, 24);
+    const center = pick("true", "false");
     return pick(
-        () => `cube(${triple(() => length(2, 12))}, center = ${pick("true", "false")});`,
+        () => `cube(${triple(() => length(2, 12))}, center = ${center});`,
         () => `cube(${length(3, 12)});`,
         () => `sphere(r = ${length(3, 8)}, $fn = ${Math.max(fn, 5)});`,
-        () => `cylinder(h = ${length(2, 14)}, r = ${length(2, 6)}, center = ${pick("true", "false")}, $fn = ${fn});`,
-        () => `cylinder(h = ${length(2, 12)}, r1 = ${length(1, 6)}, r2 = ${length(0, 5)}, $fn = ${fn});`,
+        () => `cylinder(h = ${length(2, 14)}, r = ${length(2, 6)}, center = ${center}, ` +
+            `$fn = ${fn});`,
+        () => `cylinder(h = ${length(2, 12)}, r1 = ${length(1, 6)}, r2 = ${length(0, 5)}, ` +
+            `$fn = ${fn});`,
     )();
 }
 
@@ -38,7 +42,8 @@ function map() {
     const free = [
         () => `rotate(${triple(() => integer(0, 359))})`,
         () => `scale(${triple(() => length(0.4, 1.6))})`,
-        () => `multmatrix([[1, ${length(-1, 1)}, ${length(-1, 1)}, 0], [0, 1, ${length(-1, 1)}, 0], [0, 0, 1, 0]])`,
+        () => `multmatrix([[1, ${real(-1, 1)}, ${real(-1, 1)}, 0], [0, 1, ${real(-1, 1)}, 0], ` +
+            "[0, 0, 1, 0]])",
     ];
     const aligned = [
         () => `translate(${triple(() => length(-6, 6))})`,

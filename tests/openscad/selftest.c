@@ -87,9 +87,9 @@ static void test_edges(const struct mesh *mesh, struct caster *caster)
     size_t num_lost = 0;
     for (int i = 0; i < num_triangles * 3; i++) {
         const struct csg_vec3 *corners = mesh->triangles[i / 3].corner;
-        const struct csg_vec3 middle = csg_scale(0.5, csg_add(corners[i % 3], corners[(i + 1) % 3]));
+        const struct csg_vec3 corner = corners[i % 3], next = corners[(i + 1) % 3];
         const struct csg_vec3 inside = csg_vec3(100, 0, 4);
-        const struct csg_vec3 targets[2] = {corners[i % 3], middle};
+        const struct csg_vec3 targets[2] = {corner, csg_scale(0.5, csg_add(corner, next))};
         for (int k = 0; k < 2; k++) {
             const struct csg_vec3 out = csg_sub(targets[k], inside);
             const struct ray ray = {.org = csg_add(inside, csg_scale(9, out)),
