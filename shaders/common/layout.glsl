@@ -13,6 +13,8 @@
  * A record of the program in the data texture: one header texel
  *     (entry planes, exit planes, flags, attribute block / 4)
  * followed by a texel per plane, entries first, and CSG_QUADRIC_TEXELS where it has a quadric.
+ * A plane's texel is c0 cu cv (see src/pack/screen.h) and its face's number + 1, negative for exits.
+ * A face's number is the place of its normal behind CSG_ATTRIBUTE_NORMALS; a quadric's is 0.
  */
 #define CSG_RECORD_QUADRIC 1  /* has a quadric */
 #define CSG_RECORD_GAP 2      /* not convex: the quadric may take a piece out of the middle */
@@ -33,7 +35,7 @@
  */
 #define CSG_ATTRIBUTE_COLOR 0
 #define CSG_ATTRIBUTE_LEAF 1    /* leaf index */
-#define CSG_ATTRIBUTE_NORMALS 2 /* one texel a plane in the record's order, then the quadric's */
+#define CSG_ATTRIBUTE_NORMALS 2 /* the quadric's terms if any, then one texel a plane */
 #define CSG_NORMAL_TERMS 4
 
 #define CSG_QUADRIC_TEXELS 5

@@ -33,8 +33,7 @@ float csg_outside_gap(float k, vec2 span, vec2 gap)
     return k < gap.x ? min(gap.x, span.y) : span.y;
 }
 
-/* The face at k of a leaf that the ray enters or leaves there. A gap's ends are on the quadric,
- * which has the last number. */
+/* The face at k of a leaf that the ray enters or leaves there. A gap's ends are on the quadric. */
 int csg_face_at(float k, csg_span span, bool enters)
 {
     return enters ? span.face.x : span.face.y;

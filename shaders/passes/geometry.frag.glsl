@@ -17,7 +17,10 @@ void main()
     vec2 d = gl_FragCoord.xy + csg_window - csg_at;
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
-    int attributes = int(csg_texel(place.x).w) * 4;
-    csg_visible = uvec2(floatBitsToUint(k), uint(attributes + CSG_ATTRIBUTE_NORMALS + place.y + 1));
+    vec4 head = csg_texel(place.x);
+    bool plane = place.y < int(head.x) + int(head.y);
+    int face = plane ? int(abs(csg_texel(place.x + 1 + place.y).w)) - 1 : 0;
+    int normal = int(head.w) * 4 + CSG_ATTRIBUTE_NORMALS + face;
+    csg_visible = uvec2(floatBitsToUint(k), uint(normal + 1));
     gl_FragDepth = csg_depth(k) - csg_depth_bias;
 }

@@ -6,7 +6,7 @@ float csg_plane(vec4 texel, vec2 d)
     return texel.x + (texel.y * d.x + texel.z * d.y);
 }
 
-/* Narrows the leaf by its plane number face; texel.w is 0 for an entry, CSG_KEY_MAX for an exit. */
+/* Narrows the leaf by one plane of either sense; texel is csg_plane_sense's. */
 void csg_clip_plane(vec4 texel, vec2 d, int face, inout csg_span span)
 {
     float k = csg_plane(texel, d);
@@ -14,11 +14,19 @@ void csg_clip_plane(vec4 texel, vec2 d, int face, inout csg_span span)
     csg_leave(k + (CSG_KEY_MAX - texel.w), face, span);
 }
 
-/* The planes at texel p: first those where rays enter, then those where they leave. */
+/* The planes at texel p: first those where rays enter, then those where they leave. Two a turn:
+ * llvmpipe ends all loops of a fragment after 65,535 turns. */
 void csg_clip_planes(int p, int num_entries, int num_exits, vec2 d, inout csg_span span)
 {
-    for (int i = 0; i < num_entries; i++)
+    for (int i = 0; i < num_entries; i += 2) {
+        int j = min(i + 1, num_entries - 1);
         csg_enter(csg_plane(csg_texel(p + i), d), i, span);
-    for (int i = num_entries; i < num_entries + num_exits; i++)
+        csg_enter(csg_plane(csg_texel(p + j), d), j, span);
+    }
+    int last = num_entries + num_exits - 1;
+    for (int i = num_entries; i <= last; i += 2) {
+        int j = min(i + 1, last);
         csg_leave(csg_plane(csg_texel(p + i), d), i, span);
+        csg_leave(csg_plane(csg_texel(p + j), d), j, span);
+    }
 }

@@ -43,7 +43,7 @@ vec2 csg_stiff_quadric(int p, vec2 d)
     return vec2(min(k0, k1), max(k0, k1));
 }
 
-/* Narrows a convex leaf by its quadric, whose number as a face is face. */
+/* Narrows a convex leaf by its quadric, which is face number face. */
 void csg_clip_quadric(csg_crossings at, int face, inout csg_span span)
 {
     int region = at.code & 3;

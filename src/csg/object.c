@@ -40,14 +40,14 @@ static bool is_disjoint(const struct csg_box *a, const struct csg_box *b)
 
 /* Walks down with the box in which a node matters and marks the leaves that do not. */
 static void mark_irrelevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
-                            const struct csg_box *boxes, struct csg_box *contexts, bool *drop)
+                            const struct csg_box *boxes, struct csg_box *contexts, uint8_t *known)
 {
     contexts[0] = boxes[0];
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
             const struct csg_box box = csg_leaf_box(&scene->leaves[node->leaf]);
-            drop[node->leaf] = is_disjoint(&box, &contexts[i]);
+            known[node->leaf] = is_disjoint(&box, &contexts[i]) ? CSG_NOTHING : CSG_VARIES;
             continue;
         }
         const struct csg_box inside = csg_box_intersection(&contexts[i], &boxes[i]);
@@ -61,15 +61,15 @@ bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
     if (tree->num == 0)
         return true;
     struct csg_box *boxes = malloc(2 * tree->num * sizeof *boxes);
-    bool *drop = calloc(scene->num_leaves + 1, sizeof *drop);
-    bool ok = boxes && drop;
+    uint8_t *known = calloc(scene->num_leaves + 1, sizeof *known);
+    bool ok = boxes && known;
     if (ok) {
         csg_tree_boxes(scene, tree, boxes);
-        mark_irrelevant(scene, tree, boxes, boxes + tree->num, drop);
-        ok = csg_tree_simplify(tree, drop);
+        mark_irrelevant(scene, tree, boxes, boxes + tree->num, known);
+        ok = csg_tree_simplify(tree, known);
     }
     free(boxes);
-    free(drop);
+    free(known);
     return ok;
 }
 

@@ -4,33 +4,33 @@
 #include <stdlib.h>
 
 /* What a subtree is once the constants below it are known. */
-enum constant { VARIES, NOTHING, EVERYTHING };
-
 struct fold {
-    uint8_t constant;  /* enum constant */
+    uint8_t constant;  /* enum csg_known */
     bool single;       /* a Boolean node with one child that varies */
 };
 
-static struct fold fold_leaf(const struct csg_node *node, const bool *drop)
+static struct fold fold_leaf(const struct csg_node *node, const uint8_t *known)
 {
-    if (!drop || !drop[node->leaf])
-        return (struct fold){VARIES, false};
-    return (struct fold){node->negated ? EVERYTHING : NOTHING, false};
+    const uint8_t leaf = known ? known[node->leaf] : CSG_VARIES;
+    if (leaf == CSG_VARIES)
+        return (struct fold){CSG_VARIES, false};
+    const bool empty = (leaf == CSG_NOTHING) != node->negated;
+    return (struct fold){empty ? CSG_NOTHING : CSG_EVERYTHING, false};
 }
 
 /* The neutral constant disappears from a node, the absorbing one decides it. */
 static struct fold fold_node(const struct csg_tree *tree, const struct fold *folds, uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
-    const uint8_t neutral = node->op == CSG_OR ? NOTHING : EVERYTHING;
+    const uint8_t neutral = node->op == CSG_OR ? CSG_NOTHING : CSG_EVERYTHING;
     uint32_t num_varying = 0;
     for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
-        if (folds[child].constant == VARIES)
+        if (folds[child].constant == CSG_VARIES)
             num_varying++;
         else if (folds[child].constant != neutral)
             return (struct fold){folds[child].constant, false};
     }
-    return (struct fold){num_varying ? VARIES : neutral, num_varying == 1};
+    return (struct fold){num_varying ? CSG_VARIES : neutral, num_varying == 1};
 }
 
 /* Nodes of the new tree that are still open, innermost last. */
@@ -75,7 +75,7 @@ static bool emit_all(struct emitter *out, const struct csg_tree *tree, const str
     for (uint32_t i = 0; i < tree->num;) {
         const struct csg_node *node = &tree->data[i];
         close_nodes(out, i);
-        if (folds[i].constant != VARIES) {
+        if (folds[i].constant != CSG_VARIES) {
             i = node->end;
             continue;
         }
@@ -91,10 +91,10 @@ static bool emit_all(struct emitter *out, const struct csg_tree *tree, const str
 static bool emit_constant(struct emitter *out, uint8_t constant)
 {
     const struct csg_node everything = {.op = CSG_AND, .end = 1};
-    return constant == NOTHING || csg_array_push(&out->tree, everything);
+    return constant == CSG_NOTHING || csg_array_push(&out->tree, everything);
 }
 
-bool csg_tree_simplify(struct csg_tree *tree, const bool *drop)
+bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known)
 {
     if (tree->num == 0)
         return true;
@@ -102,10 +102,10 @@ bool csg_tree_simplify(struct csg_tree *tree, const bool *drop)
     if (!folds)
         return false;
     for (size_t i = tree->num; i-- > 0;)
-        folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], drop)
+        folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], known)
                                                 : fold_node(tree, folds, (uint32_t)i);
     struct emitter out = {0};
-    const bool ok = folds[0].constant == VARIES ? emit_all(&out, tree, folds)
+    const bool ok = folds[0].constant == CSG_VARIES ? emit_all(&out, tree, folds)
                                                 : emit_constant(&out, folds[0].constant);
     free(folds);
     free(out.open.data);

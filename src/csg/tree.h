@@ -30,12 +30,15 @@ struct csg_tree {
     size_t num, capacity;
 };
 
+/* What is known of a set. */
+enum csg_known { CSG_VARIES, CSG_NOTHING, CSG_EVERYTHING };
+
 /*
  * Replaces the tree by an equal one without constants, nodes of one child and nodes whose parent
- * has the same op. drop[leaf], where drop is not NULL, marks leaves that are the empty set.
+ * has the same op. known[leaf], where known is not NULL, is the enum csg_known of each leaf.
  * false: out of memory.
  */
-bool csg_tree_simplify(struct csg_tree *tree, const bool *drop);
+bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known);
 
 /* Levels of Boolean nodes; 0 for one leaf. */
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory);

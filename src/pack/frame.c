@@ -2,19 +2,18 @@
 #include "pack/frame.h"
 
 #include <stdlib.h>
-#include <string.h>
+
+#include "csg/membership.h"
+#include "pack/terms.h"
+#include "tile/tile.h"
 
 struct packer {
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
-    const struct csg_plan *plan;
     const struct csg_frame_params *params;
+    struct csg_terms terms;
+    CSG_ARRAY(struct csg_rect) rects; /* of the nodes of the object at hand */
 };
-
-static struct csg_rect nothing(void)
-{
-    return (struct csg_rect){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-}
 
 static bool is_empty(const struct csg_rect *rect)
 {
@@ -38,188 +37,39 @@ static void combine_rects(struct csg_rect *into, const struct csg_rect *rect, bo
     }
 }
 
-/* The screen rectangle of an object: what its Boolean leaves of its leaves' rectangles. */
-static struct csg_rect object_rect(const struct packer *packer, const struct csg_object *object,
-                                   struct csg_rect *rects)
+static struct csg_rect node_rect(const struct packer *packer, const struct csg_object *object,
+                                 uint32_t i)
 {
     const struct csg_screen *screen = &packer->frame->screen;
     const struct csg_node *nodes = packer->scene->trees[object->layer].data;
-    const struct csg_rect all = {{0, 0}, {screen->width, screen->height}};
-    for (uint32_t i = object->end; i-- > object->begin;) {
-        struct csg_rect *rect = &rects[i - object->begin];
-        if (nodes[i].op == CSG_LEAF) {
-            *rect = leaf_rect(packer, &nodes[i]);
-            continue;
-        }
-        *rect = nodes[i].op == CSG_AND ? all : nothing();
-        for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
-            const struct csg_rect *operand = &rects[child - object->begin];
-            if (nodes[i].op == CSG_AND || !is_empty(operand))
-                combine_rects(rect, operand, nodes[i].op == CSG_AND);
-        }
+    const bool all = nodes[i].op == CSG_AND;
+    struct csg_rect rect = {{0, 0}, {screen->width, screen->height}};
+    if (!all)
+        rect = (struct csg_rect){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
+        const struct csg_rect *operand = &packer->rects.data[child - object->begin];
+        if (all || !is_empty(operand))
+            combine_rects(&rect, operand, all);
     }
-    return rects[0];
+    return rect;
 }
 
-static float *add_texels(struct csg_frame *frame, size_t num)
-{
-    if (!csg_array_reserve(&frame->texels, 4 * num))
-        return NULL;
-    float *texels = frame->texels.data + frame->texels.num;
-    memset(texels, 0, 4 * num * sizeof *texels);
-    frame->texels.num += 4 * num;
-    return texels;
-}
-
-/* A subtracted solid's face as the colour of what it cuts: the first solid of the object that is
- * not subtracted. */
-static const struct csg_leaf *minuend_of(const struct packer *packer,
-                                         const struct csg_object *object)
+/* What the Boolean leaves of its leaves' rectangles, and of the object's box. */
+static bool object_rect(struct packer *packer, const struct csg_object *object,
+                        struct csg_rect *rect)
 {
     const struct csg_node *nodes = packer->scene->trees[object->layer].data;
-    for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !nodes[i].negated)
-            return &packer->scene->leaves[nodes[i].leaf];
-    return NULL;
-}
-
-static void step_color(const struct packer *packer, const struct csg_object *object,
-                       const struct csg_step *step, float rgba[4])
-{
-    const struct csg_leaf *leaf = &packer->scene->leaves[step->leaf];
-    bool cut = step->flags & CSG_RECORD_NEGATED;
-    if (cut && packer->params->cut_color == CSGCAST_CUT_MINUEND) {
-        const struct csg_leaf *minuend = minuend_of(packer, object);
-        leaf = minuend ? minuend : leaf;
-        cut = minuend == NULL;
-    }
-    csg_face_color(packer->params->scheme, leaf, object->layer, cut, rgba);
-}
-
-/* Writes the planes' texels, entries before exits, and their normals in the same order. */
-static uint32_t pack_planes(const struct packer *packer, const struct csg_step *step, float block,
-                            float (*texels)[4], float (*normals)[4])
-{
-    const struct csg_carriers *carriers = packer->scene->carriers;
-    const uint32_t begin = carriers->face_begin[step->leaf];
-    const uint32_t num = carriers->face_begin[step->leaf + 1] - begin;
-    const float sign = step->flags & CSG_RECORD_NEGATED ? -1 : 1;
-    uint32_t num_entries = 0, num_exits = 0;
-    for (uint32_t i = 0; i < num; i++) {
-        const struct csg_face face = carriers->faces[begin + i];
-        const struct csg_plane *plane = &carriers->planes[face.carrier];
-        float texel[4];
-        csg_screen_plane(&packer->frame->screen, packer->frame->at, plane, face.flipped, texel);
-        /* Exits fill up from the back, so that both runs are contiguous. */
-        const uint32_t slot = texel[3] == 0 ? num_entries++ : num - 1 - num_exits++;
-        const float s = face.flipped ? -sign : sign;
-        memcpy(texels[slot], texel, sizeof texel);
-        normals[slot][0] = s * (float)plane->normal.x;
-        normals[slot][1] = s * (float)plane->normal.y;
-        normals[slot][2] = s * (float)plane->normal.z;
-        normals[slot][3] = block;
-    }
-    return num_entries;
-}
-
-static void pack_quadric(const struct packer *packer, const struct csg_step *step, float block,
-                         float (*texels)[4], float (*normals)[4])
-{
-    const struct csg_carriers *carriers = packer->scene->carriers;
-    const struct csg_face face = carriers->quadric_faces[step->leaf];
-    const struct csg_quadric *quadric = &carriers->quadrics[face.carrier];
-    const struct csg_shape *shape = &packer->scene->leaves[step->leaf].shape;
-    const struct csg_box *box = &carriers->quadric_boxes[face.carrier];
-    struct csg_vec3 center = {0, 0, 0};
-    double radius = INFINITY;
-    if (csg_box_is_finite(box)) {
-        center = csg_scale(0.5, csg_add(box->lo, box->hi));
-        radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
-    }
-    csg_screen_quadric(&packer->frame->screen, packer->frame->at, quadric, face.flipped, shape->convex,
-                       carriers->sheets[step->leaf], center, radius, texels);
-    float terms[CSG_NORMAL_TERMS][3];
-    csg_screen_normal(&packer->frame->screen, packer->frame->at, quadric, terms);
-    const bool reversed = (step->flags & CSG_RECORD_NEGATED) != 0;
-    const float sign = reversed != face.flipped ? -1 : 1;
-    for (int i = 0; i < CSG_NORMAL_TERMS; i++)
-        for (int j = 0; j < 3; j++)
-            normals[i][j] = sign * terms[i][j];
-    normals[0][3] = -block;
-}
-
-static size_t record_size(const struct csg_carriers *carriers, const struct csg_step *step)
-{
-    if (step->flags & CSG_RECORD_POP)
-        return 1;
-    return 1 + carriers->face_begin[step->leaf + 1] - carriers->face_begin[step->leaf] +
-           (step->flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
-}
-
-static size_t attribute_size(const struct csg_carriers *carriers, const struct csg_step *step)
-{
-    if (step->flags & CSG_RECORD_POP)
-        return 0;
-    const size_t num_planes =
-        carriers->face_begin[step->leaf + 1] - carriers->face_begin[step->leaf];
-    const size_t size = CSG_ATTRIBUTE_NORMALS + num_planes +
-                        (step->flags & CSG_RECORD_QUADRIC ? CSG_NORMAL_TERMS : 0);
-    return (size + 3) / 4 * 4;
-}
-
-/* Whether the leaf's quadric is stiff in this view. */
-static bool pack_leaf(const struct packer *packer, const struct csg_object *object,
-                      const struct csg_step *step, float (*record)[4], float (*attributes)[4],
-                      size_t attribute_index)
-{
-    const struct csg_carriers *carriers = packer->scene->carriers;
-    const uint32_t num_planes =
-        carriers->face_begin[step->leaf + 1] - carriers->face_begin[step->leaf];
-    float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
-    const float block = (float)(attribute_index / 4 + 1);
-    const uint32_t entries = pack_planes(packer, step, block, record + 1, normals);
-    if (step->flags & CSG_RECORD_QUADRIC)
-        pack_quadric(packer, step, block, record + 1 + num_planes, normals + num_planes);
-    record[0][0] = (float)entries;
-    record[0][1] = (float)(num_planes - entries);
-    record[0][2] = (float)step->flags;
-    record[0][3] = (float)(attribute_index / 4);
-    step_color(packer, object, step, attributes[CSG_ATTRIBUTE_COLOR]);
-    attributes[CSG_ATTRIBUTE_LEAF][0] = (float)step->leaf;
-    return step->flags & CSG_RECORD_QUADRIC &&
-           ((int)record[1 + num_planes][3] & CSG_QUADRIC_STIFF);
-}
-
-/* Appends an object's records and, behind them, its attribute blocks. */
-static bool pack_object(const struct packer *packer, size_t index, struct csg_draw *draw)
-{
-    const struct csg_carriers *carriers = packer->scene->carriers;
-    const struct csg_object *object = &packer->scene->objects->data[index];
-    const struct csg_step *steps = packer->plan->program.data;
-    const uint32_t begin = packer->plan->begin[index], end = packer->plan->begin[index + 1];
-    size_t num_records = 0, num_attributes = 0;
-    for (uint32_t i = begin; i < end; i++) {
-        num_records += record_size(carriers, &steps[i]);
-        num_attributes += attribute_size(carriers, &steps[i]);
-    }
-    const size_t first = packer->frame->texels.num / 4;
-    size_t record = first, attribute = (first + num_records + 3) / 4 * 4;
-    draw->instance.records[0] = (int32_t)first;
-    draw->instance.records[1] = (int32_t)(first + num_records);
-    if (!add_texels(packer->frame, attribute + num_attributes - first))
+    packer->rects.num = 0;
+    if (!csg_array_reserve(&packer->rects, object->end - object->begin))
         return false;
-    float(*texels)[4] = (float(*)[4])packer->frame->texels.data;
-    for (uint32_t i = begin; i < end; i++) {
-        if (steps[i].flags & CSG_RECORD_POP) {
-            texels[record][2] = (float)steps[i].flags;
-        } else {
-            draw->stiff |= pack_leaf(packer, object, &steps[i], texels + record,
-                                     texels + attribute, attribute);
-            draw->translucent |= texels[attribute + CSG_ATTRIBUTE_COLOR][3] < 1;
-        }
-        record += record_size(carriers, &steps[i]);
-        attribute += attribute_size(carriers, &steps[i]);
-    }
+    for (uint32_t i = object->end; i-- > object->begin;)
+        packer->rects.data[i - object->begin] = nodes[i].op == CSG_LEAF
+                                                    ? leaf_rect(packer, &nodes[i])
+                                                    : node_rect(packer, object, i);
+    *rect = packer->rects.data[0];
+    const struct csg_rect by_box =
+        csg_screen_rect(&packer->frame->screen, &csg_map_identity, &object->box);
+    combine_rects(rect, &by_box, true);
     return true;
 }
 
@@ -240,51 +90,90 @@ static struct csg_pixel reference_pixel(const struct csg_screen *screen, const s
     return (struct csg_pixel){floor(0.5 * screen->width), floor(0.5 * screen->height)};
 }
 
-static bool add_object(struct packer *packer, size_t index, struct csg_rect *rects)
+/* The object in one rectangle, all records as planned. */
+static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct csg_draw *draw)
 {
     struct csg_frame *frame = packer->frame;
-    const struct csg_screen *screen = &frame->screen;
-    const struct csg_object *object = &packer->scene->objects->data[index];
-    if (packer->plan->begin[index] == packer->plan->begin[index + 1])
-        return true;
-    struct csg_rect rect = object_rect(packer, object, rects);
-    const struct csg_rect by_box = csg_screen_rect(screen, &csg_map_identity, &object->box);
-    combine_rects(&rect, &by_box, true);
+    const struct csg_plan *plan = packer->scene->plan;
+    const double size[2] = {frame->screen.width, frame->screen.height};
+    for (int i = 0; i < 2; i++) {
+        draw->instance.rect[i] = (float)(2 * rect->lo[i] / size[i] - 1);
+        draw->instance.rect[2 + i] = (float)(2 * rect->hi[i] / size[i] - 1);
+    }
+    draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
+    for (uint32_t i = plan->begin[draw->object]; i < plan->begin[draw->object + 1]; i++)
+        if (!csg_terms_add_record(&packer->terms, &plan->program.data[i], NULL))
+            return false;
+    draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
+    frame->proxy_pixels +=
+        (size_t)(ceil(rect->hi[0] - rect->lo[0]) * ceil(rect->hi[1] - rect->lo[1]));
+    return csg_array_push(&frame->draws, *draw);
+}
+
+static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
+{
+    struct csg_rect rect;
+    if (!object_rect(packer, object, &rect))
+        return false;
     if (is_empty(&rect))
         return true;
-    struct csg_draw draw = {.object = (uint32_t)index, .layer = object->layer};
-    draw.around_eye = holds_eye(screen, &object->box);
-    const double size[2] = {screen->width, screen->height};
-    for (int i = 0; i < 2; i++) {
-        draw.instance.rect[i] = (float)(2 * rect.lo[i] / size[i] - 1);
-        draw.instance.rect[2 + i] = (float)(2 * rect.hi[i] / size[i] - 1);
+    if (!csg_terms_fill(&packer->terms, object))
+        return false;
+    struct csg_draw draw = {.object = index, .layer = object->layer};
+    draw.translucent = packer->terms.translucent;
+    draw.stiff = packer->terms.stiff;
+    draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
+    if (index != CSG_WHOLE_LAYER &&
+        packer->params->whole(packer->scene, index, packer->params->user))
+        return add_whole(packer, &rect, &draw);
+    draw.tile = true;
+    return csg_tile_object(&packer->terms, object, &rect, &draw);
+}
+
+/* Objects are independent only as seen from outside: an eye inside one of them looks for the end of
+ * their union. Orthographic rays start inside what has no end towards the eye. */
+static bool starts_inside(const struct packer *packer, uint8_t layer)
+{
+    const struct csg_screen *screen = &packer->frame->screen;
+    const struct csg_objects *objects = packer->scene->objects;
+    for (size_t i = 0; i < objects->num; i++) {
+        const struct csg_object *object = &objects->data[i];
+        if (object->layer == layer && holds_eye(screen, &object->box) &&
+            (screen->orthographic ||
+             csg_object_contains(packer->scene, object, screen->origin)))
+            return true;
     }
-    frame->proxy_pixels +=
-        (size_t)(ceil(rect.hi[0] - rect.lo[0]) * ceil(rect.hi[1] - rect.lo[1]));
-    return pack_object(packer, index, &draw) && csg_array_push(&frame->draws, draw);
+    return false;
+}
+
+static bool add_layer(struct packer *packer, uint8_t layer)
+{
+    const struct csg_objects *objects = packer->scene->objects;
+    if (starts_inside(packer, layer)) {
+        const struct csg_object whole = {
+            layer, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
+        return add_object(packer, &whole, CSG_WHOLE_LAYER);
+    }
+    for (uint32_t i = 0; i < objects->num; i++)
+        if (objects->data[i].layer == layer && !add_object(packer, &objects->data[i], i))
+            return false;
+    return true;
 }
 
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
-    struct packer packer = {frame, scene, scene->plan, params};
-    size_t largest = 0;
-    for (size_t i = 0; i < scene->objects->num; i++) {
-        const size_t size = scene->objects->data[i].end - scene->objects->data[i].begin;
-        largest = size > largest ? size : largest;
-    }
-    struct csg_rect *rects = malloc((largest + 1) * sizeof *rects);
-    if (!rects)
-        return false;
+    struct packer packer = {.frame = frame, .scene = scene, .params = params};
     csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &scene->box);
     frame->at = reference_pixel(&frame->screen, &scene->box);
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->proxy_pixels = 0;
-    bool ok = true;
-    for (size_t i = 0; i < scene->objects->num && ok; i++)
-        ok = add_object(&packer, i, rects);
-    free(rects);
+    bool ok = csg_terms_init(&packer.terms, frame, scene, params);
+    for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
+        ok = add_layer(&packer, layer);
+    csg_terms_finish(&packer.terms);
+    free(packer.rects.data);
     return ok;
 }
 

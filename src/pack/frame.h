@@ -4,7 +4,8 @@
 
 /*
  * Everything the shaders read for one frame: the texels of the float texture (records and
- * attributes, shaders/common/layout.glsl) and one draw per object in view.
+ * attributes, shaders/common/layout.glsl) and the draws, one per object in view or, for large
+ * objects, one per tile.
  */
 
 #include "csg/program.h"
@@ -13,7 +14,7 @@
 
 /* One instance: the vertex shader's attributes. */
 struct csg_instance {
-    float rect[4];     /* clip space */
+    float rect[4];      /* clip space */
     int32_t records[2]; /* begin, end in the data texture */
 };
 
@@ -21,9 +22,10 @@ struct csg_draw {
     struct csg_instance instance;
     uint32_t object;
     uint8_t layer;
-    bool translucent;  /* drawn after the opaque objects */
-    bool around_eye;   /* the eye can be inside */
-    bool stiff;        /* some quadric needs the other form in this view */
+    bool translucent; /* drawn after the opaque objects */
+    bool around_eye;  /* the eye can be inside */
+    bool stiff;       /* some quadric needs the other form in this view */
+    bool tile;        /* a tile of the object: its records differ from the object's steps */
 };
 
 struct csg_frame {
@@ -39,7 +41,13 @@ struct csg_frame_params {
     int width, height;
     const struct csg_colorscheme *scheme;
     enum csgcast_cut_color cut_color;
+    /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */
+    bool (*whole)(const struct csgcast_scene *scene, size_t object, const void *user);
+    const void *user;
 };
+
+/* The index of draws that stand for a whole layer instead of one object. */
+#define CSG_WHOLE_LAYER UINT32_MAX
 
 /* Refills frame (zeroed before the first use). false: out of memory. */
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,

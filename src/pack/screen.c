@@ -195,5 +195,5 @@ void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
         texel[1] = to_float(-screen->b * dx / slope);
         texel[2] = to_float(-screen->b * dy / slope);
     }
-    texel[3] = (slope > 0) != flipped ? CSG_KEY_MAX : 0;
+    texel[3] = (slope > 0) != flipped ? -1 : 1;
 }

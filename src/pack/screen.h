@@ -57,8 +57,8 @@ struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct cs
 double csg_screen_key(const struct csg_screen *screen, double t);
 double csg_screen_distance(const struct csg_screen *screen, double k);
 
-/* A plane's texel: c0, cu, cv and 0 for an entry, CSG_KEY_MAX for an exit, into the side that the
- * plane's normal points away from. */
+/* A plane's texel: c0, cu, cv and 1 for an entry, -1 for an exit, into the side that the plane's
+ * normal points away from (flipped: that it points to). */
 void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
                       const struct csg_plane *plane, bool flipped, float texel[4]);
 

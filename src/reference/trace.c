@@ -170,46 +170,73 @@ static bool meets_box(const struct csg_box *box, const struct csg_ray *ray)
     return tnear <= tfar * (tfar > 0 ? 1 + 1e-12 : 1 - 1e-12);
 }
 
-/* The object's first change after tnear. */
-static bool first_crossing(const struct csg_ray_scratch *scratch, double tnear, double tbest,
-                           struct csg_crossing *found, bool *enters)
+/* The object's first change after tnear: its place in the pool, and whether the ray enters. */
+static size_t first_crossing(const struct csg_ray_scratch *scratch, double tnear, bool *enters)
 {
+    size_t i = 0;
     *enters = !scratch->lists.data[0].inside;
-    for (size_t i = 0; i < scratch->pool.num; i++, *enters = !*enters) {
-        *found = scratch->pool.data[i];
-        if (found->t > tnear)
-            return found->t < tbest;
+    for (; i < scratch->pool.num && !(scratch->pool.data[i].t > tnear); i++)
+        *enters = !*enters;
+    return i;
+}
+
+struct best {
+    struct csg_crossing crossing;
+    bool found, enters;
+    bool inside; /* the ray starts inside an object */
+};
+
+static bool try_object(const struct csgcast_scene *scene, const struct csg_object *object,
+                       const struct csg_ray *ray, struct csg_ray_scratch *scratch,
+                       struct best *best)
+{
+    if (!meets_box(&object->box, ray))
+        return true;
+    if (!evaluate(scene, object, ray, scratch))
+        return false;
+    bool enters;
+    const size_t first = first_crossing(scratch, ray->tnear, &enters);
+    best->inside |= !enters;
+    if (first < scratch->pool.num &&
+        (!best->found || scratch->pool.data[first].t < best->crossing.t)) {
+        best->crossing = scratch->pool.data[first];
+        best->enters = enters;
+        best->found = true;
     }
-    return false;
+    return true;
+}
+
+/* From inside an object the ray looks for the end of the union: all objects are one then. */
+static bool trace_layer(const struct csgcast_scene *scene, uint8_t layer, const struct csg_ray *ray,
+                        struct csg_ray_scratch *scratch, struct best *best)
+{
+    for (size_t i = 0; i < scene->objects->num; i++) {
+        const struct csg_object *object = &scene->objects->data[i];
+        if (object->layer == layer && !try_object(scene, object, ray, scratch, best))
+            return false;
+    }
+    if (!best->inside)
+        return true;
+    const struct csg_object all = {layer, 0, (uint32_t)scene->trees[layer].num, csg_box_all};
+    *best = (struct best){.found = false};
+    return try_object(scene, &all, ray, scratch, best);
 }
 
 bool csg_reference_trace(const struct csgcast_scene *scene, uint8_t layer,
                          const struct csg_ray *ray, struct csg_ray_scratch *scratch,
                          struct csg_hit *hit, bool *failed)
 {
-    bool found = false, enters = false;
-    struct csg_crossing best = {INFINITY, 0, false};
-    for (size_t i = 0; i < scene->objects->num; i++) {
-        const struct csg_object *object = &scene->objects->data[i];
-        struct csg_crossing crossing;
-        bool object_enters;
-        if (object->layer != layer || !meets_box(&object->box, ray))
-            continue;
-        if (!evaluate(scene, object, ray, scratch)) {
-            *failed = true;
-            return false;
-        }
-        if (!first_crossing(scratch, ray->tnear, best.t, &crossing, &object_enters))
-            continue;
-        found = true;
-        best = crossing;
-        enters = object_enters;
-    }
-    if (!found)
+    struct best best = {.found = false};
+    if (!trace_layer(scene, layer, ray, scratch, &best)) {
+        *failed = true;
         return false;
-    *hit = (struct csg_hit){best.t, best.leaf, best.cut, layer, {0, 0, 0}};
+    }
+    if (!best.found)
+        return false;
+    const struct csg_crossing *crossing = &best.crossing;
+    *hit = (struct csg_hit){crossing->t, crossing->leaf, crossing->cut, layer, {0, 0, 0}};
     const struct csg_vec3 normal =
-        csg_leaf_normal(scene, best.leaf, ray, best.t, enters != best.cut);
-    hit->normal = best.cut ? csg_scale(-1, normal) : normal;
+        csg_leaf_normal(scene, crossing->leaf, ray, crossing->t, best.enters != crossing->cut);
+    hit->normal = crossing->cut ? csg_scale(-1, normal) : normal;
     return true;
 }

@@ -32,6 +32,16 @@ static struct csg_structure structure_of(const struct csg_request *request, uint
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
+bool csg_draws_whole(const struct csgcast_scene *scene, size_t object, const void *user)
+{
+    const struct csg_request *request = user;
+    const struct csg_structure structure = structure_of(request, (uint32_t)object);
+    (void)scene;
+    if (request->resolver == CSG_RESOLVER_ALGORITHM4)
+        return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
+    return csg_structure_is_small(&structure);
+}
+
 static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
 {
     return scene->leaves[a].shape.num_planes == scene->leaves[b].shape.num_planes;
@@ -110,19 +120,31 @@ static enum csg_resolver choose_resolver(struct chooser *chooser,
     return can_be_straight(chooser, structure, draw) ? CSG_RESOLVER_STRAIGHT : CSG_RESOLVER_LOOP;
 }
 
+/* A program that any structure with these features can use. */
+static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver, int features,
+                            enum csg_resolver *chosen)
+{
+    GLuint *shared = resolver == CSG_RESOLVER_LOOP ? chooser->loops : chooser->sorted;
+    *chosen = resolver;
+    if (!shared[features])
+        shared[features] = compile(chooser, resolver, NULL, features);
+    return shared[features];
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
+    if (draw->tile)
+        return choose_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP |
+                                                             (draw->stiff ? CSG_FEATURE_STIFF : 0),
+                             resolver);
     const struct csg_structure structure = structure_of(chooser->request, draw->object);
     *resolver = choose_resolver(chooser, &structure, draw);
     const int features =
         csg_structure_features(&structure) | (draw->stiff ? CSG_FEATURE_STIFF : 0);
     if (*resolver == CSG_RESOLVER_STRAIGHT)
         return choose_straight(chooser, &structure, draw->stiff, features);
-    GLuint *shared = *resolver == CSG_RESOLVER_LOOP ? chooser->loops : chooser->sorted;
-    if (!shared[features])
-        shared[features] = compile(chooser, *resolver, &structure, features);
-    return shared[features];
+    return choose_shared(chooser, *resolver, features, resolver);
 }
 
 static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,

@@ -338,8 +338,9 @@ static bool draw_bands(struct picture *picture)
 
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    const struct csg_frame_params params = {&request->frustum, request->width, request->height,
-                                            request->scheme, request->view->cut_color};
+    const struct csg_frame_params params = {
+        &request->frustum, request->width,           request->height, request->scheme,
+        request->view->cut_color, csg_draws_whole, request};
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);

@@ -114,6 +114,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     struct csg_text vertex = {0}, fragment = {0};
     add_preamble(&vertex);
     add_file(&vertex, "common/data.glsl");
+    add_file(&vertex, "solids/sense.glsl");
     add_preamble(&fragment);
     if (features & CSG_FEATURE_QUADRIC)
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
@@ -124,6 +125,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/screen.glsl");
     add_file(&fragment, "solids/span.glsl");
+    add_file(&fragment, "solids/sense.glsl");
     add_file(&fragment, "solids/planes.glsl");
     if (features & CSG_FEATURE_QUADRIC)
         add_file(&fragment, "solids/quadric.glsl");

@@ -37,15 +37,16 @@ struct parameters {
     size_t num_handed, max_handed;
 };
 
-/* A fragment's expression for the texel at offset from the object's first record. */
-static void add_texel(struct parameters *parameters, size_t offset)
+/* A fragment's expression for the texel at offset from the object's first record, prepared by the
+ * function of that name. */
+static void add_texel(struct parameters *parameters, const char *prepare, size_t offset)
 {
     if (parameters->num_handed == parameters->max_handed) {
-        csg_text_add(parameters->fragment, "csg_texel(begin + %zu)", offset);
+        csg_text_add(parameters->fragment, "%s(csg_texel(begin + %zu))", prepare, offset);
         return;
     }
-    csg_text_add(parameters->vertex, "    csg_handed[%zu] = csg_texel(begin + %zu);\n",
-                 parameters->num_handed, offset);
+    csg_text_add(parameters->vertex, "    csg_handed[%zu] = %s(csg_texel(begin + %zu));\n",
+                 parameters->num_handed, prepare, offset);
     csg_text_add(parameters->fragment, "csg_handed[%zu]", parameters->num_handed++);
 }
 
@@ -60,7 +61,7 @@ static void add_quadrics(struct parameters *parameters, const struct csg_structu
             continue;
         csg_text_add(text, "    csg_crossings q%zu = csg_quadric(", i);
         for (size_t j = 0; j < 3; j++) {
-            add_texel(parameters, first + j);
+            add_texel(parameters, "", first + j);
             csg_text_add(text, ", ");
         }
         csg_text_add(text, "d);\n");
@@ -84,7 +85,7 @@ static void add_spans(struct parameters *parameters, const struct csg_structure 
         csg_text_add(text, "    csg_span s%zu = csg_whole_ray();\n", i);
         for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
             csg_text_add(text, "    csg_clip_plane(");
-            add_texel(parameters, leaves[i].record + 1 + plane);
+            add_texel(parameters, "csg_plane_sense", leaves[i].record + 1 + plane);
             csg_text_add(text, ", d, %zu, s%zu);\n", plane, i);
         }
         if (leaves[i].gap)

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+
+/* A plane's texel for csg_clip_plane: w is 0 for an entry, CSG_KEY_MAX for an exit. */
+vec4 csg_plane_sense(vec4 texel)
+{
+    return vec4(texel.xyz, texel.w < 0.0 ? CSG_KEY_MAX : 0.0);
+}

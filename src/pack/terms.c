@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+#include "pack/terms.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
+                    const struct csgcast_scene *scene, const struct csg_frame_params *params)
+{
+    *terms = (struct csg_terms){.frame = frame, .scene = scene, .params = params};
+    terms->index = malloc((scene->num_leaves + 1) * sizeof *terms->index);
+    return terms->index != NULL;
+}
+
+void csg_terms_finish(struct csg_terms *terms)
+{
+    free(terms->leaves.data);
+    free(terms->texels.data);
+    free(terms->index);
+}
+
+float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
+{
+    if (!csg_array_reserve(&frame->texels, 4 * num))
+        return NULL;
+    float *texels = frame->texels.data + frame->texels.num;
+    memset(texels, 0, 4 * num * sizeof *texels);
+    frame->texels.num += 4 * num;
+    return texels;
+}
+
+/* A subtracted solid's face as the colour of what it cuts: the first solid of the object that is
+ * not subtracted. */
+static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
+                                         const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF && !nodes[i].negated)
+            return &scene->leaves[nodes[i].leaf];
+    return NULL;
+}
+
+static void face_color(const struct csg_terms *terms, const struct csg_object *object,
+                       const struct csg_node *node, float rgba[4])
+{
+    const struct csg_leaf *leaf = &terms->scene->leaves[node->leaf];
+    bool cut = node->negated;
+    if (cut && terms->params->cut_color == CSGCAST_CUT_MINUEND) {
+        const struct csg_leaf *minuend = minuend_of(terms->scene, object);
+        leaf = minuend ? minuend : leaf;
+        cut = minuend == NULL;
+    }
+    csg_face_color(terms->params->scheme, leaf, object->layer, cut, rgba);
+}
+
+static void put_normal(float texel[4], struct csg_vec3 normal, double sign, float block)
+{
+    texel[0] = (float)(sign * normal.x);
+    texel[1] = (float)(sign * normal.y);
+    texel[2] = (float)(sign * normal.z);
+    texel[3] = block;
+}
+
+/* The planes' texels, entries before exits, and their normals in the order of the leaf's faces. */
+static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node *node,
+                           uint32_t first_face, float (*texels)[4], float (*normals)[4], float block)
+{
+    const struct csg_carriers *carriers = terms->scene->carriers;
+    const uint32_t begin = carriers->face_begin[node->leaf];
+    const uint32_t num = carriers->face_begin[node->leaf + 1] - begin;
+    uint32_t num_entries = 0, num_exits = 0;
+    for (uint32_t i = 0; i < num; i++) {
+        const struct csg_face face = carriers->faces[begin + i];
+        const struct csg_plane *plane = &carriers->planes[face.carrier];
+        float texel[4];
+        csg_screen_plane(&terms->frame->screen, terms->frame->at, plane, face.flipped, texel);
+        /* Exits fill up from the back, so that both runs are contiguous. */
+        const uint32_t slot = texel[3] > 0 ? num_entries++ : num - 1 - num_exits++;
+        texel[3] *= (float)(first_face + i + 1);
+        memcpy(texels[slot], texel, sizeof texel);
+        put_normal(normals[first_face + i], plane->normal, face.flipped != node->negated ? -1 : 1,
+                   block);
+    }
+    return num_entries;
+}
+
+static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
+                        float (*texels)[4], float (*normals)[4], float block)
+{
+    const struct csg_carriers *carriers = terms->scene->carriers;
+    const struct csg_screen *screen = &terms->frame->screen;
+    const struct csg_face face = carriers->quadric_faces[node->leaf];
+    const struct csg_quadric *quadric = &carriers->quadrics[face.carrier];
+    const struct csg_box *box = &carriers->quadric_boxes[face.carrier];
+    struct csg_vec3 center = {0, 0, 0};
+    double radius = INFINITY;
+    if (csg_box_is_finite(box)) {
+        center = csg_scale(0.5, csg_add(box->lo, box->hi));
+        radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
+    }
+    csg_screen_quadric(screen, terms->frame->at, quadric, face.flipped,
+                       terms->scene->leaves[node->leaf].shape.convex,
+                       carriers->sheets[node->leaf], center, radius, texels);
+    float normal[CSG_NORMAL_TERMS][3];
+    csg_screen_normal(screen, terms->frame->at, quadric, normal);
+    for (int i = 0; i < CSG_NORMAL_TERMS; i++)
+        put_normal(normals[i], csg_vec3(normal[i][0], normal[i][1], normal[i][2]),
+                   face.flipped != node->negated ? -1 : 1, i == 0 ? -block : 0);
+    return (int)texels[0][3] & CSG_QUADRIC_STIFF;
+}
+
+static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_node *node)
+{
+    const struct csg_carriers *carriers = terms->scene->carriers;
+    const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
+    const uint32_t num_planes =
+        carriers->face_begin[node->leaf + 1] - carriers->face_begin[node->leaf];
+    const uint32_t first_face = shape->has_quadric ? CSG_NORMAL_TERMS : 0;
+    const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
+    const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
+    const size_t padding = block * 4 - terms->frame->texels.num / 4;
+    float *room = csg_frame_add_texels(
+        terms->frame, padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes);
+    if (!room || !csg_array_reserve(&terms->texels, 4 * num_texels))
+        return false;
+    float(*attributes)[4] = (float(*)[4])(room + 4 * padding);
+    float(*texels)[4] = (float(*)[4])(terms->texels.data + terms->texels.num);
+    float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
+    const float mark = (float)(block + 1);
+    struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4, .attributes = block};
+    face_color(terms, object, node, attributes[CSG_ATTRIBUTE_COLOR]);
+    attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
+    leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
+    leaf.num_exits = num_planes - leaf.num_entries;
+    leaf.flags = (node->negated ? CSG_RECORD_NEGATED : 0) |
+                 (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
+                 (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
+    if (shape->has_quadric)
+        terms->stiff |= put_quadric(terms, node, texels + num_planes, normals, mark);
+    terms->translucent |= attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
+    terms->texels.num += 4 * num_texels;
+    terms->index[node->leaf] = (uint32_t)terms->leaves.num;
+    return csg_array_push(&terms->leaves, leaf);
+}
+
+bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object)
+{
+    const struct csg_node *nodes = terms->scene->trees[object->layer].data;
+    terms->leaves.num = terms->texels.num = 0;
+    terms->translucent = terms->stiff = false;
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i]))
+            return false;
+    return true;
+}
+
+static bool add_pop(struct csg_terms *terms, const struct csg_step *step)
+{
+    float *header = csg_frame_add_texels(terms->frame, 1);
+    if (header)
+        header[2] = (float)step->flags;
+    return header != NULL;
+}
+
+/* Copies the planes at places [begin, end) that the filter takes; returns how many. */
+static uint32_t copy_planes(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                            uint32_t begin, uint32_t end, const struct csg_record_filter *filter,
+                            float *to)
+{
+    uint32_t num = 0;
+    for (uint32_t i = begin; i < end; i++)
+        if (!filter || filter->planes[i])
+            memcpy(to + 4 * num++, csg_terms_texel(terms, leaf, i), 4 * sizeof *to);
+    return num;
+}
+
+bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
+                          const struct csg_record_filter *filter)
+{
+    if (step->flags & CSG_RECORD_POP)
+        return add_pop(terms, step);
+    const struct csg_leaf_terms *leaf = csg_terms_of(terms, step->leaf);
+    const uint32_t num_planes = leaf->num_entries + leaf->num_exits;
+    const bool quadric = leaf->flags & CSG_RECORD_QUADRIC && (!filter || filter->quadric);
+    struct csg_frame *frame = terms->frame;
+    float *header = csg_frame_add_texels(frame, 1 + num_planes + CSG_QUADRIC_TEXELS);
+    if (!header)
+        return false;
+    float *planes = header + 4;
+    const uint32_t entries = copy_planes(terms, leaf, 0, leaf->num_entries, filter, planes);
+    const uint32_t exits = copy_planes(terms, leaf, leaf->num_entries, num_planes, filter,
+                                       planes + 4 * entries);
+    const size_t used = entries + exits;
+    if (quadric)
+        memcpy(planes + 4 * used, csg_terms_texel(terms, leaf, num_planes),
+               4 * CSG_QUADRIC_TEXELS * sizeof *planes);
+    const uint32_t dropped =
+        quadric || !(leaf->flags & CSG_RECORD_QUADRIC) ? 0 : CSG_RECORD_QUADRIC | CSG_RECORD_GAP;
+    header[0] = (float)entries;
+    header[1] = (float)exits;
+    header[2] = (float)(step->flags & ~dropped);
+    header[3] = (float)leaf->attributes;
+    frame->texels.num -= 4 * (num_planes - used + (quadric ? 0 : CSG_QUADRIC_TEXELS));
+    return true;
+}

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PACK_TERMS_H
+#define CSG_PACK_TERMS_H
+
+/* The leaves of one object as this frame's shaders see them. */
+
+#include "pack/frame.h"
+
+struct csg_leaf_terms {
+    size_t texels;         /* in csg_terms.texels: entry planes, exit planes, the quadric's */
+    uint32_t num_entries, num_exits;
+    uint32_t flags;        /* CSG_RECORD_NEGATED, _QUADRIC, _GAP of the leaf */
+    size_t attributes;     /* attribute block / 4, in the frame's texels */
+};
+
+struct csg_terms {
+    struct csg_frame *frame;
+    const struct csgcast_scene *scene;
+    const struct csg_frame_params *params;
+    CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
+    CSG_ARRAY(float) texels;                 /* four floats each */
+    uint32_t *index;  /* scene leaf -> leaves; valid for the object's leaves */
+    bool translucent, stiff; /* of any of the object's leaves */
+};
+
+bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
+                    const struct csgcast_scene *scene, const struct csg_frame_params *params);
+void csg_terms_finish(struct csg_terms *terms);
+
+/* Replaces the leaves by those of object; writes their attribute blocks into the frame. */
+bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object);
+
+static inline const struct csg_leaf_terms *csg_terms_of(const struct csg_terms *terms,
+                                                        uint32_t leaf)
+{
+    return &terms->leaves.data[terms->index[leaf]];
+}
+
+/* The texel at place i of a leaf's. */
+static inline const float *csg_terms_texel(const struct csg_terms *terms,
+                                           const struct csg_leaf_terms *leaf, size_t i)
+{
+    return terms->texels.data + 4 * (leaf->texels + i);
+}
+
+/* Which of a leaf's planes a record takes, by their place among the leaf's texels; NULL: all.
+ * Also whether it takes the quadric. */
+struct csg_record_filter {
+    const bool *planes;
+    bool quadric;
+};
+
+/* Appends a step's record to the frame. filter NULL: everything. */
+bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
+                          const struct csg_record_filter *filter);
+
+/* Room for num texels at the end of the frame's, zeroed; NULL: out of memory. */
+float *csg_frame_add_texels(struct csg_frame *frame, size_t num);
+
+#endif

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/range.h"
+
+/* Float rounding of the shader's evaluation, with room to spare: relative to its terms. */
+#define FLOAT_MARGIN 1e-6
+
+static struct csg_range affine(double c0, double cx, double cy, const struct csg_tile_box *tile)
+{
+    const double mid = c0 + cx * tile->center[0] + cy * tile->center[1];
+    const double size = fabs(c0) + fabs(cx * tile->center[0]) + fabs(cy * tile->center[1]);
+    const double spread = fabs(cx) * tile->half[0] + fabs(cy) * tile->half[1];
+    const double reach = spread + FLOAT_MARGIN * (size + spread);
+    return (struct csg_range){mid - reach, mid + reach};
+}
+
+struct csg_range csg_range_of_plane(const float texel[4], const struct csg_tile_box *tile)
+{
+    return affine((double)texel[0], (double)texel[1], (double)texel[2], tile);
+}
+
+/* Range of u (slope + curve u) over a range of u. */
+static struct csg_range parabola(struct csg_range u, double slope, double curve)
+{
+    const double a = u.lo * (slope + curve * u.lo), b = u.hi * (slope + curve * u.hi);
+    struct csg_range range = {fmin(a, b), fmax(a, b)};
+    const double top = curve != 0 ? -0.5 * slope / curve : u.lo;
+    if (top > u.lo && top < u.hi) {
+        const double extreme = top * (slope + curve * top);
+        range.lo = fmin(range.lo, extreme);
+        range.hi = fmax(range.hi, extreme);
+    }
+    return range;
+}
+
+/* The conic h, or S where the quadric is stiff; texels as shaders/solids/quadric.glsl reads them. */
+static struct csg_range conic(const float *t, int code, const struct csg_tile_box *tile)
+{
+    const double x1 = (double)t[5], y1 = (double)t[6];
+    const struct csg_range x = affine((double)t[4], x1, y1, tile);
+    const struct csg_range y = affine((double)t[8], -y1, x1, tile);
+    const double curve = code & CSG_QUADRIC_X_MINUS ? -1 : code & CSG_QUADRIC_X_PLUS ? 1 : 0;
+    const struct csg_range xx = parabola(x, (double)t[9], curve);
+    const struct csg_range yy = parabola(y, (double)t[10], (double)t[11]);
+    const double c0 = (double)t[7];
+    const double margin = FLOAT_MARGIN * (fabs(c0) + fmax(fabs(xx.lo), fabs(xx.hi)) +
+                                          fmax(fabs(yy.lo), fabs(yy.hi)));
+    return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
+}
+
+struct quadric_range {
+    struct csg_range first, second; /* of the two crossings */
+    bool never, always;             /* the rays have them */
+    int region;
+};
+
+static struct quadric_range quadric_range(const float *texels, const struct csg_tile_box *tile)
+{
+    const int code = (int)texels[3];
+    const struct csg_range h = conic(texels, code, tile);
+    const double most = sqrt(fmax(h.hi, 0)), least = sqrt(fmax(h.lo, 0));
+    struct quadric_range range = {.never = h.hi < 0, .always = h.lo > 0, .region = code & 3};
+    if (code & CSG_QUADRIC_STIFF) {
+        range.first = range.second =
+            (struct csg_range){-(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
+        range.always = false;
+        return range;
+    }
+    const struct csg_range m =
+        affine((double)texels[0], (double)texels[1], (double)texels[2], tile);
+    const double margin = FLOAT_MARGIN * (fabs(m.lo) + fabs(m.hi) + most);
+    range.first = (struct csg_range){m.lo - most - margin, m.hi - least + margin};
+    range.second = (struct csg_range){m.lo + least - margin, m.hi + most + margin};
+    return range;
+}
+
+static void later(struct csg_range *a, struct csg_range b)
+{
+    a->lo = fmax(a->lo, b.lo);
+    a->hi = fmax(a->hi, b.hi);
+}
+
+static void sooner(struct csg_range *a, struct csg_range b)
+{
+    a->lo = fmin(a->lo, b.lo);
+    a->hi = fmin(a->hi, b.hi);
+}
+
+/* Narrows the leaf by its quadric; false where no ray of the tile is inside. */
+static bool clip_quadric(struct csg_leaf_range *range, const struct quadric_range *quadric)
+{
+    switch (quadric->region) {
+    case CSG_QUADRIC_BETWEEN:
+        later(&range->entry, quadric->first);
+        sooner(&range->exit, quadric->second);
+        range->solid &= quadric->always;
+        return !quadric->never;
+    case CSG_QUADRIC_BEFORE:
+        sooner(&range->exit, quadric->first);
+        return true;
+    case CSG_QUADRIC_AFTER:
+        later(&range->entry, quadric->second);
+        return true;
+    default:
+        range->solid &= quadric->never;
+        return true;
+    }
+}
+
+static bool matters(const struct csg_leaf_range *range, const struct quadric_range *quadric)
+{
+    if (quadric->region != CSG_QUADRIC_BETWEEN || !quadric->always)
+        return !(quadric->region == CSG_QUADRIC_OUTSIDE && quadric->never);
+    return !(quadric->first.hi < range->entry.lo && quadric->second.lo > range->exit.hi);
+}
+
+struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
+                                        const struct csg_leaf_terms *leaf,
+                                        const struct csg_tile_box *tile, bool *planes,
+                                        bool *quadric)
+{
+    const struct csg_range all = {-(double)CSG_KEY_MAX, -(double)CSG_KEY_MAX};
+    const struct csg_range end = {(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
+    struct csg_leaf_range range = {all, end, true};
+    const uint32_t num = leaf->num_entries + leaf->num_exits;
+    for (uint32_t i = 0; i < num; i++) {
+        const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);
+        if (i < leaf->num_entries)
+            later(&range.entry, key);
+        else
+            sooner(&range.exit, key);
+    }
+    struct quadric_range curved = {.region = CSG_QUADRIC_BETWEEN};
+    const struct csg_leaf_range flat = range;
+    if (leaf->flags & CSG_RECORD_QUADRIC) {
+        curved = quadric_range(csg_terms_texel(terms, leaf, num), tile);
+        if (!clip_quadric(&range, &curved))
+            range.exit.hi = -INFINITY;
+    }
+    range.solid &= range.entry.hi < range.exit.lo;
+    if (!planes)
+        return range;
+    for (uint32_t i = 0; i < num; i++) {
+        const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);
+        planes[i] = i < leaf->num_entries ? key.hi >= range.entry.lo : key.lo <= range.exit.hi;
+    }
+    *quadric = leaf->flags & CSG_RECORD_QUADRIC && matters(&flat, &curved);
+    return range;
+}

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/tile.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tile/range.h"
+
+/* A tile whose part of the tree is this small is not worth cutting further. */
+#define SMALL_LEAVES 2
+
+/* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
+struct task {
+    int lo[2], hi[2]; /* pixels [lo, hi) */
+    struct csg_tree tree;
+};
+
+struct tiler {
+    struct csg_terms *terms;
+    const struct csg_draw *draw;
+    CSG_ARRAY(struct task) tasks;
+    CSG_ARRAY(struct csg_leaf_range) leaves; /* by node */
+    CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
+    CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
+    CSG_ARRAY(bool) planes;
+    uint8_t *known;                          /* by scene leaf */
+    struct csg_program program;
+};
+
+static struct csg_tile_box tile_box(const struct tiler *tiler, const struct task *task)
+{
+    const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
+    struct csg_tile_box box;
+    for (int i = 0; i < 2; i++) {
+        box.center[i] = 0.5 * (task->lo[i] + task->hi[i]) - at[i];
+        box.half[i] = 0.5 * (task->hi[i] - task->lo[i]) - 0.5;
+    }
+    return box;
+}
+
+static struct csg_range node_range(const struct tiler *tiler, const struct csg_tree *tree,
+                                   uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    const bool all = node->op == CSG_AND;
+    struct csg_range range = {all ? -INFINITY : INFINITY, all ? INFINITY : -INFINITY};
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
+        const struct csg_range operand = tiler->nodes.data[child];
+        range.lo = all ? fmax(range.lo, operand.lo) : fmin(range.lo, operand.lo);
+        range.hi = all ? fmin(range.hi, operand.hi) : fmax(range.hi, operand.hi);
+    }
+    return range;
+}
+
+static void fill_ranges(struct tiler *tiler, const struct task *task)
+{
+    const struct csg_tile_box box = tile_box(tiler, task);
+    for (size_t i = task->tree.num; i-- > 0;) {
+        const struct csg_node *node = &task->tree.data[i];
+        if (node->op != CSG_LEAF) {
+            tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
+            continue;
+        }
+        const struct csg_leaf_range leaf = csg_range_of_leaf(
+            tiler->terms, csg_terms_of(tiler->terms, node->leaf), &box, NULL, NULL);
+        tiler->leaves.data[i] = leaf;
+        tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
+                                             : (struct csg_range){leaf.entry.lo, leaf.exit.hi};
+    }
+}
+
+/*
+ * A leaf that is nowhere inside where it matters is nothing there; one that covers all of it is
+ * everything. The comparison is strict, so the operand that bounds a context is never itself taken
+ * for covering it, and crossings that may be equal stay.
+ */
+static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context)
+{
+    if (leaf->entry.lo > leaf->exit.hi || leaf->exit.hi < context.lo ||
+        leaf->entry.lo > context.hi)
+        return CSG_NOTHING;
+    if (leaf->solid && leaf->entry.hi < context.lo && leaf->exit.lo > context.hi)
+        return CSG_EVERYTHING;
+    return CSG_VARIES;
+}
+
+static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
+{
+    struct csg_range *contexts = tiler->contexts.data;
+    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, tiler->terms->frame->screen.k_far};
+    for (uint32_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF) {
+            tiler->known[node->leaf] = judge(&tiler->leaves.data[i], contexts[i]);
+            continue;
+        }
+        struct csg_range inside = contexts[i];
+        if (node->op == CSG_AND) {
+            inside.lo = fmax(inside.lo, tiler->nodes.data[i].lo);
+            inside.hi = fmin(inside.hi, tiler->nodes.data[i].hi);
+        }
+        for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
+            contexts[child] = inside;
+    }
+}
+
+static bool reserve(struct tiler *tiler, size_t num)
+{
+    tiler->leaves.num = tiler->nodes.num = tiler->contexts.num = 0;
+    return csg_array_reserve(&tiler->leaves, num) && csg_array_reserve(&tiler->nodes, num) &&
+           csg_array_reserve(&tiler->contexts, num);
+}
+
+static size_t count_leaves(const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < tree->num; i++)
+        num += tree->data[i].op == CSG_LEAF;
+    return num;
+}
+
+static bool copy_tree(const struct csg_tree *tree, struct csg_tree *copy)
+{
+    *copy = (struct csg_tree){0};
+    if (!csg_array_reserve(copy, tree->num))
+        return false;
+    memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
+    copy->num = tree->num;
+    return true;
+}
+
+/* Cuts across the longer side; takes the task's tree. */
+static bool cut(struct tiler *tiler, struct task *task)
+{
+    struct task other = *task;
+    const int axis = task->hi[0] - task->lo[0] >= task->hi[1] - task->lo[1] ? 0 : 1;
+    const int size = task->hi[axis] - task->lo[axis];
+    const int middle = task->lo[axis] + (size / 2 + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE * CSG_TILE_SIZE;
+    if (!copy_tree(&task->tree, &other.tree))
+        return false;
+    task->hi[axis] = other.lo[axis] = middle;
+    const bool ok = csg_array_push(&tiler->tasks, other) && csg_array_push(&tiler->tasks, *task);
+    if (ok)
+        task->tree = (struct csg_tree){0};
+    return ok;
+}
+
+static bool add_record(struct tiler *tiler, const struct csg_step *step,
+                       const struct csg_tile_box *box)
+{
+    if (step->flags & CSG_RECORD_POP)
+        return csg_terms_add_record(tiler->terms, step, NULL);
+    const struct csg_leaf_terms *leaf = csg_terms_of(tiler->terms, step->leaf);
+    struct csg_record_filter filter = {NULL, false};
+    tiler->planes.num = 0;
+    if (!csg_array_reserve(&tiler->planes, leaf->num_entries + leaf->num_exits + 1))
+        return false;
+    csg_range_of_leaf(tiler->terms, leaf, box, tiler->planes.data, &filter.quadric);
+    filter.planes = tiler->planes.data;
+    return csg_terms_add_record(tiler->terms, step, &filter);
+}
+
+static void set_rect(struct csg_draw *draw, const struct task *task,
+                     const struct csg_screen *screen)
+{
+    const double size[2] = {screen->width, screen->height};
+    for (int i = 0; i < 2; i++) {
+        draw->instance.rect[i] = (float)(2 * task->lo[i] / size[i] - 1);
+        draw->instance.rect[2 + i] = (float)(2 * task->hi[i] / size[i] - 1);
+    }
+}
+
+static bool emit(struct tiler *tiler, const struct task *task)
+{
+    struct csg_frame *frame = tiler->terms->frame;
+    const struct csg_tile_box box = tile_box(tiler, task);
+    struct csg_draw draw = *tiler->draw;
+    tiler->program.num = 0;
+    if (!csg_program_append(&tiler->program, tiler->terms->scene, &task->tree, 0))
+        return false;
+    draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
+    for (size_t i = 0; i < tiler->program.num; i++)
+        if (!add_record(tiler, &tiler->program.data[i], &box))
+            return false;
+    draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
+    set_rect(&draw, task, &frame->screen);
+    frame->proxy_pixels += (size_t)(task->hi[0] - task->lo[0]) * (size_t)(task->hi[1] - task->lo[1]);
+    return draw.instance.records[0] == draw.instance.records[1] ||
+           csg_array_push(&frame->draws, draw);
+}
+
+static bool run(struct tiler *tiler, struct task *task)
+{
+    if (!reserve(tiler, task->tree.num))
+        return false;
+    fill_ranges(tiler, task);
+    judge_leaves(tiler, &task->tree);
+    if (!csg_tree_simplify(&task->tree, tiler->known))
+        return false;
+    if (task->tree.num == 0)
+        return true;
+    const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
+                          task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
+    if (smallest || count_leaves(&task->tree) <= SMALL_LEAVES)
+        return emit(tiler, task);
+    return cut(tiler, task);
+}
+
+/* The object's own part of the layer's tree, counted from 0. */
+static bool object_tree(const struct csgcast_scene *scene, const struct csg_object *object,
+                        struct csg_tree *tree)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data + object->begin;
+    const struct csg_tree part = {(struct csg_node *)nodes, object->end - object->begin, 0};
+    if (!copy_tree(&part, tree))
+        return false;
+    for (size_t i = 0; i < tree->num; i++)
+        tree->data[i].end -= object->begin;
+    return true;
+}
+
+static bool run_all(struct tiler *tiler)
+{
+    bool ok = true;
+    while (tiler->tasks.num) {
+        struct task task = tiler->tasks.data[--tiler->tasks.num];
+        ok = ok && run(tiler, &task);
+        free(task.tree.data);
+    }
+    return ok;
+}
+
+bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw)
+{
+    struct tiler tiler = {.terms = terms, .draw = draw};
+    struct task whole;
+    for (int i = 0; i < 2; i++) {
+        whole.lo[i] = (int)floor(rect->lo[i]);
+        whole.hi[i] = (int)ceil(rect->hi[i]);
+    }
+    tiler.known = calloc(terms->scene->num_leaves + 1, sizeof *tiler.known);
+    bool ok = tiler.known && object_tree(terms->scene, object, &whole.tree);
+    if (ok && !csg_array_push(&tiler.tasks, whole)) {
+        free(whole.tree.data);
+        ok = false;
+    }
+    ok = run_all(&tiler) && ok;
+    free(tiler.tasks.data);
+    free(tiler.leaves.data);
+    free(tiler.nodes.data);
+    free(tiler.contexts.data);
+    free(tiler.planes.data);
+    free(tiler.known);
+    free(tiler.program.data);
+    return ok;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_TILE_TILE_H
+#define CSG_TILE_TILE_H
+
+/*
+ * Large objects are drawn in tiles: rectangles of the screen, each with the part of the tree that
+ * matters in it. Over a tile every affine term and every conic has a range, so a leaf's entry and
+ * exit have; what can never meet the rest of an intersection is folded away, like whole solids
+ * are by bounding boxes.
+ */
+
+#include "pack/terms.h"
+
+/* Tiles are not cut below this size, in pixels. */
+#define CSG_TILE_SIZE 16
+
+/* Appends the object's records and draws to the frame. terms are the object's; tree has its nodes
+ * from 0 on; rect in pixels, like csg_screen_rect's. false: out of memory. */
+bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw);
+
+#endif
