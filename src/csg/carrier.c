@@ -15,10 +15,12 @@
  * tolerance at most before the index may miss it. */
 #define MAX_LEVER 16.0
 
-/* Where a leaf is and how much its faces may be off. */
+/* Where a leaf is and how much its faces may be off. Of an unbounded leaf the finite part of the
+ * scene is what matters; center is its own place. */
 struct extent {
     struct csg_vec3 center;
     double radius; /* infinite for an unbounded leaf */
+    double reach;  /* the same, but finite */
     double rounding;
 };
 
@@ -28,24 +30,25 @@ struct builder {
     CSG_ARRAY(double) plane_rounding;   /* of the leaf each carrier came from */
     CSG_ARRAY(double) quadric_rounding;
     struct csg_carrier_index index;
+    double radius; /* of the finite part of the scene */
     CSG_ARRAY(uint32_t) leaves; /* of the object at hand, largest first */
 };
 
-static struct extent leaf_extent(const struct csg_leaf *leaf)
+static struct extent leaf_extent(const struct builder *builder, uint32_t leaf)
 {
-    const struct csg_box box = csg_leaf_box(leaf);
-    struct extent extent = {{0, 0, 0}, INFINITY, leaf->shape.rounding};
-    if (csg_box_is_finite(&box)) {
-        extent.center = csg_scale(0.5, csg_add(box.lo, box.hi));
-        extent.radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    }
-    return extent;
+    const struct csg_box box = csg_leaf_box(&builder->scene->leaves[leaf]);
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const double rounding = shape->rounding;
+    if (!csg_box_is_finite(&box))
+        return (struct extent){csg_map_point(&shape->frame, csg_vec3(0, 0, 0)), INFINITY,
+                               builder->radius, rounding};
+    const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    return (struct extent){csg_scale(0.5, csg_add(box.lo, box.hi)), radius, radius, rounding};
 }
 
 static double tolerance(const struct extent *extent, double other_rounding)
 {
-    const double size = csg_length(extent->center) +
-                        (isfinite(extent->radius) ? extent->radius : 1);
+    const double size = csg_length(extent->center) + extent->reach;
     return extent->rounding + other_rounding + CSG_COINCIDENT_RELATIVE * size;
 }
 
@@ -56,9 +59,9 @@ static double plane_deviation(const struct csg_plane *a, const struct csg_plane 
     const struct csg_vec3 n = csg_sub(a->normal, csg_scale(s, b->normal));
     const double turn = csg_length(n);
     /* An unbounded face coincides only with a parallel one, to the noise of double arithmetic. */
-    if (!isfinite(extent->radius))
-        return turn > CSG_COINCIDENT_RELATIVE ? INFINITY : fabs(a->offset - s * b->offset);
-    return fabs(csg_dot(n, extent->center) - (a->offset - s * b->offset)) + turn * extent->radius;
+    if (!isfinite(extent->radius) && turn > CSG_COINCIDENT_RELATIVE)
+        return INFINITY;
+    return fabs(csg_dot(n, extent->center) - (a->offset - s * b->offset)) + turn * extent->reach;
 }
 
 static bool find_plane(const struct builder *builder, const struct csg_plane *plane,
@@ -169,7 +172,7 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
 {
     struct csg_carriers *carriers = builder->carriers;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    const struct extent extent = leaf_extent(&builder->scene->leaves[leaf]);
+    const struct extent extent = leaf_extent(builder, leaf);
     for (size_t i = 0; i < shape->num_planes; i++) {
         struct csg_face *face = &carriers->faces[carriers->face_begin[leaf] + i];
         if (!alone && find_plane(builder, &shape->planes[i], &extent, face))
@@ -209,9 +212,10 @@ static int compare_ranked(const void *a, const void *b)
     return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
 }
 
-static bool rank_object(struct ranked_leaves *ranked, const struct csgcast_scene *scene,
+static bool rank_object(struct ranked_leaves *ranked, const struct builder *builder,
                         const struct csg_object *object, bool *assigned)
 {
+    const struct csgcast_scene *scene = builder->scene;
     const struct csg_tree *tree = &scene->trees[object->layer];
     bool ok = true;
     for (uint32_t i = object->begin; i < object->end && ok; i++) {
@@ -219,7 +223,7 @@ static bool rank_object(struct ranked_leaves *ranked, const struct csgcast_scene
         if (tree->data[i].op != CSG_LEAF || assigned[leaf])
             continue;
         assigned[leaf] = true;
-        const struct extent extent = leaf_extent(&scene->leaves[leaf]);
+        const struct extent extent = leaf_extent(builder, leaf);
         ok = csg_array_push(ranked, ((struct ranked_leaf){extent.radius, leaf}));
     }
     return ok;
@@ -232,7 +236,7 @@ static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool
     struct ranked_leaves ranked = {0};
     bool ok = true;
     for (size_t i = first; i < last && ok; i++)
-        ok = rank_object(&ranked, builder->scene, &builder->scene->objects->data[i], assigned);
+        ok = rank_object(&ranked, builder, &builder->scene->objects->data[i], assigned);
     if (ranked.num)
         qsort(ranked.data, ranked.num, sizeof *ranked.data, compare_ranked);
     builder->leaves.num = 0;
@@ -254,17 +258,16 @@ static bool start_index(struct builder *builder)
             box = csg_box_union(&box, &leaf);
     }
     const bool empty = csg_box_is_empty(&box);
-    const struct csg_vec3 center = empty ? csg_vec3(0, 0, 0)
-                                         : csg_scale(0.5, csg_add(box.lo, box.hi));
-    const double radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    const struct csg_vec3 center =
+        empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
+    builder->radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
     double slack = 0;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct extent extent =
-            leaf_extent(&builder->scene->leaves[builder->leaves.data[i]]);
+        const struct extent extent = leaf_extent(builder, builder->leaves.data[i]);
         const double length = 2 * tolerance(&extent, extent.rounding);
-        slack = fmax(slack, length * (1 + fmin(radius / extent.radius, MAX_LEVER)));
+        slack = fmax(slack, length * (1 + fmin(builder->radius / extent.radius, MAX_LEVER)));
     }
-    return csg_index_start(&builder->index, center, radius, slack);
+    return csg_index_start(&builder->index, center, builder->radius, slack);
 }
 
 /* Objects [first, last): coincidence is looked for among all their leaves. */

@@ -84,11 +84,54 @@ static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
     const bool is_union = tree->num && tree->data[0].op == CSG_OR;
     bool ok = true;
     for (uint32_t i = is_union ? 1 : 0; i < tree->num && ok; i = tree->data[i].end) {
-        const struct csg_object object = {layer, i, tree->data[i].end, boxes[i]};
+        const struct csg_object object = {layer, layer, false, i, tree->data[i].end, boxes[i]};
         ok = csg_array_push(objects, object);
     }
     free(boxes);
     return ok;
+}
+
+/* Marks of leaves, by what is known of them so far. */
+enum { UNDER_HIGHLIGHT = 1, PAINTED = 2 };
+
+static bool is_highlighted(const struct csg_tree *tree, const struct csg_object *object,
+                           const uint8_t *marks)
+{
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated &&
+            !(marks[tree->data[i].leaf] & UNDER_HIGHLIGHT))
+            return false;
+    return true;
+}
+
+static void mark_leaves(const struct csg_tree *tree, uint32_t begin, uint32_t end, uint8_t mark,
+                        uint8_t *marks)
+{
+    for (uint32_t i = begin; i < end; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            marks[tree->data[i].leaf] |= mark;
+}
+
+static void paint_highlights(const struct csgcast_scene *scene, struct csg_objects *objects,
+                             uint8_t *marks)
+{
+    const struct csg_tree *highlight = &scene->trees[CSG_LAYER_HIGHLIGHT];
+    mark_leaves(highlight, 0, (uint32_t)highlight->num, UNDER_HIGHLIGHT, marks);
+    for (size_t i = 0; i < objects->num; i++) {
+        struct csg_object *object = &objects->data[i];
+        const struct csg_tree *tree = &scene->trees[object->layer];
+        if (object->layer == CSG_LAYER_MODEL && is_highlighted(tree, object, marks)) {
+            object->paint = CSG_LAYER_HIGHLIGHT;
+            mark_leaves(tree, object->begin, object->end, PAINTED, marks);
+        }
+    }
+    for (size_t i = 0; i < objects->num; i++) {
+        struct csg_object *object = &objects->data[i];
+        object->hidden = object->layer == CSG_LAYER_HIGHLIGHT;
+        for (uint32_t j = object->begin; j < object->end && object->hidden; j++)
+            object->hidden = highlight->data[j].op != CSG_LEAF ||
+                             marks[highlight->data[j].leaf] & PAINTED;
+    }
 }
 
 bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects)
@@ -96,5 +139,11 @@ bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *ob
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS; layer++)
         if (!split_layer(scene, layer, objects))
             return false;
-    return true;
+    if (scene->trees[CSG_LAYER_HIGHLIGHT].num == 0)
+        return true;
+    uint8_t *marks = calloc(scene->num_leaves + 1, sizeof *marks);
+    if (marks)
+        paint_highlights(scene, objects, marks);
+    free(marks);
+    return marks != NULL;
 }

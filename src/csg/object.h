@@ -8,6 +8,8 @@
 
 struct csg_object {
     uint8_t layer;        /* enum csg_layer */
+    uint8_t paint;        /* the layer whose colours it takes: HIGHLIGHT where # is on all of it */
+    bool hidden;          /* of the highlight layer, and drawn already as part of such an object */
     uint32_t begin, end;  /* nodes of scene->trees[layer] */
     struct csg_box box;   /* of the Boolean result, conservative */
 };
@@ -17,7 +19,11 @@ struct csg_objects {
     size_t num, capacity;
 };
 
-/* Splits the simplified trees. false: out of memory. */
+/*
+ * Splits the simplified trees. An object whose solids, but for subtracted ones, are all under # is
+ * painted as a highlight and hides its copies in that layer, as OpenSCAD's preview has it.
+ * false: out of memory.
+ */
 bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects);
 
 /* The box of one leaf in world space. */

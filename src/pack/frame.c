@@ -119,8 +119,10 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
         return true;
     if (!csg_terms_fill(&packer->terms, object))
         return false;
-    struct csg_draw draw = {.object = index, .layer = object->layer};
+    struct csg_draw draw = {.object = index, .layer = object->layer, .paint = object->paint};
     draw.translucent = packer->terms.translucent;
+    draw.single = packer->terms.leaves.num == 1 &&
+                  !(packer->terms.leaves.data[0].flags & (CSG_RECORD_GAP | CSG_RECORD_NEGATED));
     draw.stiff = packer->terms.stiff;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
     if (index != CSG_WHOLE_LAYER &&
@@ -151,21 +153,41 @@ static bool add_layer(struct packer *packer, uint8_t layer)
     const struct csg_objects *objects = packer->scene->objects;
     if (starts_inside(packer, layer)) {
         const struct csg_object whole = {
-            layer, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
+            layer, layer, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
     }
     for (uint32_t i = 0; i < objects->num; i++)
-        if (objects->data[i].layer == layer && !add_object(packer, &objects->data[i], i))
+        if (objects->data[i].layer == layer && !objects->data[i].hidden &&
+            !add_object(packer, &objects->data[i], i))
             return false;
     return true;
+}
+
+/* The scene's box, or, where it has none, that of its finite solids and the unbounded ones' places. */
+static struct csg_box focus_of(const struct csgcast_scene *scene)
+{
+    struct csg_box focus = csg_box_empty;
+    if (csg_box_is_finite(&scene->box))
+        return scene->box;
+    for (size_t i = 0; i < scene->num_leaves; i++) {
+        const struct csg_shape *shape = &scene->leaves[i].shape;
+        const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+        if (csg_box_is_finite(&box))
+            focus = csg_box_union(&focus, &box);
+        else
+            csg_box_extend(&focus, csg_map_point(&shape->frame, csg_vec3(0, 0, 0)));
+    }
+    return focus;
 }
 
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
     struct packer packer = {.frame = frame, .scene = scene, .params = params};
-    csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &scene->box);
-    frame->at = reference_pixel(&frame->screen, &scene->box);
+    const struct csg_box focus = focus_of(scene);
+    csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &focus,
+                    csg_box_is_finite(&scene->box));
+    frame->at = reference_pixel(&frame->screen, &focus);
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->proxy_pixels = 0;

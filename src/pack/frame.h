@@ -21,8 +21,9 @@ struct csg_instance {
 struct csg_draw {
     struct csg_instance instance;
     uint32_t object;
-    uint8_t layer;
-    bool translucent; /* drawn after the opaque objects */
+    uint8_t layer, paint; /* as in csg_object */
+    bool single;          /* one convex leaf: its far side can show through */
+    bool translucent;     /* drawn after the opaque objects */
     bool around_eye;  /* the eye can be inside */
     bool stiff;       /* some quadric needs the other form in this view */
     bool tile;        /* a tile of the object: its records differ from the object's steps */

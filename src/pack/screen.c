@@ -5,6 +5,10 @@
  * by no more than this factor; else k = -1/t keeps the same relative precision at all depths. */
 #define MAX_DEPTH_RATIO 4.0
 
+/* The same where solids without bounds may be anywhere: far behind the finite ones keys get coarse
+ * again, so only where it pays, with the eye more than about 60 radii away. */
+#define MAX_DEPTH_RATIO_UNBOUNDED 1.03
+
 /* Part of a pixel by which bounds grow: float rounding of the projection in the vertex stage. */
 #define RECT_MARGIN 0.01
 
@@ -49,46 +53,48 @@ static void depth_range(const struct csg_screen *screen, const struct csg_box *b
     }
 }
 
-/* Depth buffer values: affine in k over a finite range, else a map of all keys to 0..1. */
-static void init_depth(struct csg_screen *screen, const double range[2], bool finite)
+/* Depth buffer values: affine in k over a finite range; else a map of all keys to 0..1, finest at
+ * range. */
+static void init_depth(struct csg_screen *screen, const double range[2], bool centred, bool bounded)
 {
-    if (finite && range[1] > range[0]) {
-        const double k0 = csg_screen_key(screen, range[0]), k1 = csg_screen_key(screen, range[1]);
-        const double margin = 0.01 * (k1 - k0);
-        screen->depth[0] = (float)(1 / (k1 - k0 + 2 * margin));
-        screen->depth[1] = (float)((margin - k0) / (k1 - k0 + 2 * margin));
-        screen->depth[3] = 0;
+    const double typical = isfinite(range[1]) && range[1] > 0 ? range[1] : 1;
+    if (!centred) {
+        screen->depth[0] = (float)(screen->orthographic ? 1 / typical : typical / screen->b);
+        screen->depth[3] = screen->orthographic ? 2 : 1;
         return;
     }
-    const double typical = isfinite(range[1]) && range[1] > 0 ? range[1] : 1;
-    screen->depth[0] = (float)(screen->orthographic ? 1 / typical : typical / screen->b);
-    screen->depth[3] = screen->orthographic ? 2 : 1;
+    const double k0 = csg_screen_key(screen, range[0]), k1 = csg_screen_key(screen, range[1]);
+    const double margin = 0.01 * (k1 - k0);
+    screen->depth[0] = (float)(1 / (k1 - k0 + 2 * margin));
+    screen->depth[1] = (float)((margin - k0) / (k1 - k0 + 2 * margin));
+    screen->depth[3] = bounded ? 0 : 2;
 }
 
 void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
-                     int height, const struct csg_box *scene_box)
+                     int height, const struct csg_box *focus, bool bounded)
 {
     *screen = (struct csg_screen){
         .width = width, .height = height, .orthographic = frustum->orthographic};
     init_rays(screen, frustum);
     double range[2] = {INFINITY, -INFINITY};
-    const bool finite = !csg_box_is_empty(scene_box) && csg_box_is_finite(scene_box);
-    if (finite)
-        depth_range(screen, scene_box, range);
-    const double middle = finite ? 0.5 * (range[0] + range[1]) : 0;
+    const bool known = !csg_box_is_empty(focus) && csg_box_is_finite(focus);
+    if (known)
+        depth_range(screen, focus, range);
+    const double middle = known ? 0.5 * (range[0] + range[1]) : 0;
     if (screen->orthographic) {
         screen->a = middle;
         screen->b = screen->scale = 1;
         screen->k_far = CSG_KEY_MAX;
-        init_depth(screen, range, finite);
+        init_depth(screen, range, known && range[1] > range[0], bounded);
         return;
     }
-    const bool centred = finite && range[0] > 0 && range[1] < MAX_DEPTH_RATIO * range[0];
+    const double ratio = bounded ? MAX_DEPTH_RATIO : MAX_DEPTH_RATIO_UNBOUNDED;
+    const bool centred = range[1] > range[0] && range[0] > 0 && range[1] < ratio * range[0];
     screen->a = centred ? middle : 0;
     screen->b = centred ? middle * middle : 1;
     screen->scale = centred ? middle : 1;
     screen->k_far = screen->a;
-    init_depth(screen, range, centred);
+    init_depth(screen, range, centred, bounded);
 }
 
 double csg_screen_key(const struct csg_screen *screen, double t)
@@ -164,15 +170,26 @@ struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_ve
                               floor(fmin(fmax(pixel[1], 0), screen->height))};
 }
 
-static float to_float(double value)
+/*
+ * c / slope as a plane's texel. Where rays run along the plane, or the eye is in it, slope is nothing
+ * and the sign of c alone decides: the terms are scaled together, so that the sum keeps its sign
+ * and is far beyond any crossing in view.
+ */
+static void put_plane(const struct csg_screen *screen, const double c[3], double slope,
+                      float texel[4])
 {
-    return (float)fmin(fmax(value, -CSG_KEY_MAX), CSG_KEY_MAX);
+    const double size =
+        fabs(c[0]) + screen->width * fabs(c[1]) + screen->height * fabs(c[2]);
+    const double sign = slope < 0 ? -1 : 1;
+    const bool steep = size > CSG_PLANE_KEY_MAX * fabs(slope);
+    const double scale = steep ? sign * CSG_PLANE_KEY_MAX / size : size > 0 ? 1 / slope : 0;
+    for (int i = 0; i < 3; i++)
+        texel[i] = (float)(scale * c[i]);
 }
 
 /*
  * With g(k) = n.P - offset P_w + k (n.W - offset W_w) <= 0 inside, the crossing is at
- * k = -g(0) / g'. Where rays run along the plane, g' is 0 and the sign of g(0) decides: a tiny g'
- * sends the crossing to the far end of the keys on the right side.
+ * k = -g(0) / g'.
  */
 void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
                       const struct csg_plane *plane, bool flipped, float texel[4])
@@ -182,18 +199,13 @@ void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
     const double dx = csg_dot(n, screen->direction_dx), dy = csg_dot(n, screen->direction_dy);
     const double height = csg_dot(n, screen->origin) - plane->offset + at.x * ox + at.y * oy;
     const double along = csg_dot(n, screen->direction) + at.x * dx + at.y * dy;
-    const double tiny = 1e-300;
-    double slope;
+    const double slope = screen->orthographic ? along : -height;
     if (screen->orthographic) {
-        slope = fabs(along) > tiny ? along : tiny;
-        texel[0] = to_float(-(height + screen->a * along) / slope);
-        texel[1] = to_float(-ox / slope);
-        texel[2] = to_float(-oy / slope);
+        const double c[3] = {-(height + screen->a * along), -ox, -oy};
+        put_plane(screen, c, slope, texel);
     } else {
-        slope = fabs(height) > tiny ? -height : tiny;
-        texel[0] = to_float(screen->a - screen->b * along / slope);
-        texel[1] = to_float(-screen->b * dx / slope);
-        texel[2] = to_float(-screen->b * dy / slope);
+        const double b = screen->b, c[3] = {screen->a * slope - b * along, -b * dx, -b * dy};
+        put_plane(screen, c, slope, texel);
     }
-    texel[3] = (slope > 0) != flipped ? -1 : 1;
+    texel[3] = (slope >= 0) != flipped ? -1 : 1;
 }

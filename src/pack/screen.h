@@ -39,9 +39,9 @@ struct csg_pixel {
     double x, y;
 };
 
-/* scene_box: what will be drawn; decides where keys are finest. */
+/* focus: decides where keys are finest; bounded: nothing that will be drawn is outside of it. */
 void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
-                     int height, const struct csg_box *scene_box);
+                     int height, const struct csg_box *focus, bool bounded);
 
 /* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */
 struct csg_rect {
@@ -56,6 +56,9 @@ struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct cs
 /* From distance along the view axis to key and back. */
 double csg_screen_key(const struct csg_screen *screen, double t);
 double csg_screen_distance(const struct csg_screen *screen, double k);
+
+/* Keys of planes are smaller than this, so that CSG_KEY_MAX + key is CSG_KEY_MAX in float. */
+#define CSG_PLANE_KEY_MAX 1e20
 
 /* A plane's texel: c0, cu, cv and 1 for an entry, -1 for an exit, into the side that the plane's
  * normal points away from (flipped: that it points to). */

@@ -45,13 +45,13 @@ static void face_color(const struct csg_terms *terms, const struct csg_object *o
                        const struct csg_node *node, float rgba[4])
 {
     const struct csg_leaf *leaf = &terms->scene->leaves[node->leaf];
-    bool cut = node->negated;
+    bool cut = node->negated != leaf->is_hole;
     if (cut && terms->params->cut_color == CSGCAST_CUT_MINUEND) {
         const struct csg_leaf *minuend = minuend_of(terms->scene, object);
         leaf = minuend ? minuend : leaf;
         cut = minuend == NULL;
     }
-    csg_face_color(terms->params->scheme, leaf, object->layer, cut, rgba);
+    csg_face_color(terms->params->scheme, leaf, object->paint, cut, rgba);
 }
 
 static void put_normal(float texel[4], struct csg_vec3 normal, double sign, float block)

@@ -7,18 +7,31 @@ double csg_cross_plane(const struct csg_plane *plane, const struct csg_ray *ray,
     return (plane->offset - csg_dot(plane->normal, ray->org)) / *along;
 }
 
-/* f(p + t d) = a t^2 + 2 b t + c, from the point p of the line where the quadric's own metric is
- * least: b is then small and c is not the difference of two large squares. */
+/* Below this share of a direction's square, the part across a quadric's axis is too small to say
+ * where along the line the axis is nearest. */
+#define NEARLY_PARALLEL 1e-8
+
+/* Where p + t d is nearest to the quadric's middle, or to its axis where it has one. */
+static double nearest_to_middle(const double q[4], struct csg_vec3 p, struct csg_vec3 d)
+{
+    struct csg_vec3 w = csg_vec3(fabs(q[0]), fabs(q[1]), fabs(q[2]));
+    double dd = w.x * d.x * d.x + w.y * d.y * d.y + w.z * d.z * d.z;
+    if (dd <= NEARLY_PARALLEL * csg_dot(d, d)) {
+        w = csg_vec3(1, 1, 1);
+        dd = csg_dot(d, d);
+    }
+    return dd > 0 ? -(w.x * p.x * d.x + w.y * p.y * d.y + w.z * p.z * d.z) / dd : 0;
+}
+
+/* f(p + t d) = a t^2 + 2 b t + c, from the point p of the line that is nearest: b is then small and
+ * c is not the difference of two large squares. */
 int csg_cross_quadric(const struct csg_quadric *quadric, const struct csg_ray *ray, double t[2],
                       bool *before)
 {
     const double *q = quadric->diag;
     const struct csg_vec3 d = csg_map_direction(&quadric->to_canon, ray->dir);
     struct csg_vec3 p = csg_map_point(&quadric->to_canon, ray->org);
-    const struct csg_vec3 weight = csg_vec3(fabs(q[0]), fabs(q[1]), fabs(q[2]));
-    const double dd = weight.x * d.x * d.x + weight.y * d.y * d.y + weight.z * d.z * d.z;
-    const double pd = weight.x * p.x * d.x + weight.y * p.y * d.y + weight.z * p.z * d.z;
-    const double shift = dd > 0 ? -pd / dd : 0;
+    const double shift = nearest_to_middle(q, p, d);
     p = csg_add(p, csg_scale(shift, d));
     const double a = q[0] * d.x * d.x + q[1] * d.y * d.y + q[2] * d.z * d.z;
     const double b = q[0] * p.x * d.x + q[1] * p.y * d.y + q[2] * p.z * d.z + quadric->linear * d.z;

@@ -21,7 +21,7 @@ struct chooser {
     const struct csg_request *request;
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
-    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS]; /* by features */
+    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS]; /* by features */
     size_t max_handed;          /* flat inputs that the driver allows */
 };
 
@@ -124,7 +124,9 @@ static enum csg_resolver choose_resolver(struct chooser *chooser,
 static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver, int features,
                             enum csg_resolver *chosen)
 {
-    GLuint *shared = resolver == CSG_RESOLVER_LOOP ? chooser->loops : chooser->sorted;
+    GLuint *shared = resolver == CSG_RESOLVER_LOOP   ? chooser->loops
+                     : resolver == CSG_RESOLVER_REAR ? chooser->rears
+                                                     : chooser->sorted;
     *chosen = resolver;
     if (!shared[features])
         shared[features] = compile(chooser, resolver, NULL, features);
@@ -148,17 +150,31 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
 }
 
 static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,
-                     enum csg_resolver resolver, uint32_t instance)
+                     GLuint rear, enum csg_resolver resolver, uint32_t instance)
 {
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
     batches->drawn[resolver]++;
     if (last && last->program == program && last->layer == draw->layer &&
-        last->translucent == draw->translucent) {
+        last->paint == draw->paint && last->translucent == draw->translucent &&
+        last->rear == rear) {
         last->num++;
         return true;
     }
-    const struct csg_batch batch = {program, resolver, draw->layer, draw->translucent, instance, 1};
+    const struct csg_batch batch = {program,     rear, draw->layer, draw->paint, draw->translucent,
+                                    instance, 1};
     return csg_array_push(batches, batch);
+}
+
+/* What is drawn translucent and is one convex leaf shows its far side. */
+static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GLuint *rear)
+{
+    enum csg_resolver resolver;
+    const bool shows = draw->single && (draw->translucent || draw->paint != CSG_LAYER_MODEL);
+    *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
+                                  CSG_FEATURE_QUADRIC | (draw->stiff ? CSG_FEATURE_STIFF : 0),
+                                  &resolver)
+                  : 0;
+    return !shows || *rear;
 }
 
 /* One flat input goes to csg_object; more than 28 cost llvmpipe more than they save. */
@@ -183,9 +199,10 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
     for (uint32_t i = 0; i < renderer->frame.draws.num && ok; i++) {
         const struct csg_draw *draw = &renderer->frame.draws.data[i];
         enum csg_resolver resolver;
+        GLuint rear = 0;
         const GLuint program = choose_program(chooser, draw, &resolver);
-        ok = program != 0;
-        if (ok && !add_draw(batches, draw, program, resolver, i))
+        ok = program != 0 && choose_rear(chooser, draw, &rear);
+        if (ok && !add_draw(batches, draw, program, rear, resolver, i))
             ok = csg_log_memory(&renderer->log);
     }
     free(chooser);

@@ -32,10 +32,11 @@ struct picture {
 
 /* Which objects a round draws. */
 struct round {
-    uint8_t layer;
+    uint8_t paint;
     bool opaque, translucent;
-    bool overlay; /* blended over what is there */
-    bool geometry; /* writes distance, normal and leaf */
+    bool overlay;  /* blended over what is there */
+    bool geometry; /* writes distance, normal and leaf: all of the model, whatever its paint */
+    bool rear;     /* of single solids, the far side */
 };
 
 static void set_screen(const struct picture *picture, GLuint program)
@@ -68,7 +69,9 @@ static void point_instances(struct csg_gl *gl, size_t first)
 
 static bool is_in_round(const struct csg_batch *batch, const struct round *round)
 {
-    return batch->layer == round->layer &&
+    if (round->geometry)
+        return batch->layer == CSG_LAYER_MODEL;
+    return batch->paint == round->paint && (batch->rear || !round->rear) &&
            (batch->translucent ? round->translucent : round->opaque);
 }
 
@@ -90,9 +93,10 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
         const struct csg_batch *batch = &picture->batches.data[i];
         if (!is_in_round(batch, round))
             continue;
-        set_screen(picture, batch->program);
-        gl->Uniform1f(gl->GetUniformLocation(batch->program, "csg_depth_bias"),
-                      round->layer == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
+        const GLuint program = round->rear ? batch->rear : batch->program;
+        set_screen(picture, program);
+        gl->Uniform1f(gl->GetUniformLocation(program, "csg_depth_bias"),
+                      round->paint == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
         point_instances(gl, batch->first);
         gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
     }
@@ -166,18 +170,33 @@ static bool has_draws(const struct picture *picture, const struct round *round)
     return false;
 }
 
+/* Whether anything of the model is not simply opaque. */
+static bool is_mixed(const struct picture *picture)
+{
+    for (size_t i = 0; i < picture->batches.num; i++) {
+        const struct csg_batch *batch = &picture->batches.data[i];
+        if (batch->layer == CSG_LAYER_MODEL &&
+            (batch->translucent || batch->paint != CSG_LAYER_MODEL))
+            return true;
+    }
+    return false;
+}
+
+/* Distances and leaves are those of all solids. Where some are translucent, colours start anew with
+ * the opaque ones; the others come over them in OpenSCAD's order, rear faces before front faces. */
 static void draw_band(const struct picture *picture)
 {
-    const struct round translucent = {CSG_LAYER_MODEL, false, true, true, false};
-    const bool mixed = has_draws(picture, &translucent);
-    /* Distances and leaves are those of all solids; colours behind translucent ones come next. */
-    const struct round rounds[] = {
-        {CSG_LAYER_MODEL, true, true, false, true},
-        {CSG_LAYER_MODEL, true, false, false, false},
-        translucent,
-        {CSG_LAYER_BACKGROUND, true, true, true, false},
-        {CSG_LAYER_HIGHLIGHT, true, true, true, false},
+    static const struct round rounds[] = {
+        {CSG_LAYER_MODEL, true, true, false, true, false},
+        {CSG_LAYER_MODEL, true, false, false, false, false},
+        {CSG_LAYER_MODEL, false, true, true, false, true},
+        {CSG_LAYER_MODEL, false, true, true, false, false},
+        {CSG_LAYER_BACKGROUND, true, true, true, false, true},
+        {CSG_LAYER_BACKGROUND, true, true, true, false, false},
+        {CSG_LAYER_HIGHLIGHT, true, true, true, false, true},
+        {CSG_LAYER_HIGHLIGHT, true, true, true, false, false},
     };
+    const bool mixed = is_mixed(picture);
     for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
         if ((i == 1 && !mixed) || (i > 1 && !has_draws(picture, &rounds[i])))
             continue;

@@ -38,8 +38,8 @@ bool csg_draws_whole(const struct csgcast_scene *scene, size_t object, const voi
 /* Objects of enum csg_resolver's kinds drawn, for the statistics. */
 struct csg_batch {
     GLuint program;
-    enum csg_resolver resolver;
-    uint8_t layer;
+    GLuint rear; /* draws the far sides; 0 where they do not show */
+    uint8_t layer, paint;
     bool translucent;
     uint32_t first, num; /* instances */
 };

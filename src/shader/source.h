@@ -11,7 +11,8 @@ enum csg_resolver {
     CSG_RESOLVER_STRAIGHT,   /* structure compiled in: straight-line code for one small tree */
     CSG_RESOLVER_LOOP,       /* any tree, read from the data texture, no array of crossings */
     CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
-    CSG_NUM_RESOLVERS
+    CSG_NUM_RESOLVERS,
+    CSG_RESOLVER_REAR = CSG_NUM_RESOLVERS /* the far side of one convex leaf; not a variant */
 };
 
 extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];
