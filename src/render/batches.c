@@ -154,14 +154,16 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
 {
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
     batches->drawn[resolver]++;
+    const bool alone = draw->translucent || draw->paint != CSG_LAYER_MODEL;
     if (last && last->program == program && last->layer == draw->layer &&
+        (!alone || last->object == draw->object) &&
         last->paint == draw->paint && last->translucent == draw->translucent &&
         last->rear == rear) {
         last->num++;
         return true;
     }
-    const struct csg_batch batch = {program,     rear, draw->layer, draw->paint, draw->translucent,
-                                    instance, 1};
+    const struct csg_batch batch = {
+        program, rear, draw->layer, draw->paint, draw->translucent, draw->object, instance, 1};
     return csg_array_push(batches, batch);
 }
 

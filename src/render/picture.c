@@ -30,14 +30,20 @@ struct picture {
     bool want_geometry, want_leaf;
 };
 
-/* Which objects a round draws. */
+/* Which batches a round draws. */
 struct round {
-    uint8_t paint;
-    bool opaque, translucent;
-    bool overlay;  /* blended over what is there */
-    bool geometry; /* writes distance, normal and leaf: all of the model, whatever its paint */
-    bool rear;     /* of single solids, the far side */
+    bool geometry;   /* all of the model; writes distance, normal and leaf */
+    bool overlay;    /* blended over what is there */
+    bool rear;       /* the far sides */
+    uint8_t paint;   /* without geometry: what is painted so, */
+    bool translucent; /* ... and is translucent or not, */
+    uint32_t object; /* ... this one; ALL_OBJECTS */
 };
+
+#define ALL_OBJECTS (UINT32_MAX - 1)
+
+/* Translucent objects come one after the other, as OpenSCAD draws them; more than these together. */
+#define MAX_OVERLAYS 64
 
 static void set_screen(const struct picture *picture, GLuint program)
 {
@@ -71,8 +77,9 @@ static bool is_in_round(const struct csg_batch *batch, const struct round *round
 {
     if (round->geometry)
         return batch->layer == CSG_LAYER_MODEL;
-    return batch->paint == round->paint && (batch->rear || !round->rear) &&
-           (batch->translucent ? round->translucent : round->opaque);
+    return batch->paint == round->paint && batch->translucent == round->translucent &&
+           (batch->rear || !round->rear) &&
+           (round->object == ALL_OBJECTS || batch->object == round->object);
 }
 
 static void draw_geometry(const struct picture *picture, const struct round *round)
@@ -162,47 +169,64 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     gl->Disable(GL_BLEND);
 }
 
-static bool has_draws(const struct picture *picture, const struct round *round)
+static void draw_round(const struct picture *picture, const struct round *round)
 {
-    for (size_t i = 0; i < picture->batches.num; i++)
-        if (is_in_round(&picture->batches.data[i], round))
-            return true;
-    return false;
+    draw_geometry(picture, round);
+    draw_shading(picture, round);
 }
 
-/* Whether anything of the model is not simply opaque. */
-static bool is_mixed(const struct picture *picture)
+static bool is_opaque(const struct csg_batch *batch)
 {
+    return !batch->translucent && batch->paint == CSG_LAYER_MODEL;
+}
+
+/* The far sides, then the near ones. */
+static void draw_overlay(const struct picture *picture, const struct csg_batch *batch,
+                         uint32_t object)
+{
+    struct round round = {.overlay = true, .rear = true, .paint = batch->paint,
+                          .translucent = batch->translucent, .object = object};
+    if (batch->rear)
+        draw_round(picture, &round);
+    round.rear = false;
+    draw_round(picture, &round);
+}
+
+/* Everything of one paint that is not simply opaque, in file order. */
+static void draw_overlays(const struct picture *picture, uint8_t paint)
+{
+    uint32_t last = ALL_OBJECTS;
+    size_t num = 0;
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
-        if (batch->layer == CSG_LAYER_MODEL &&
-            (batch->translucent || batch->paint != CSG_LAYER_MODEL))
-            return true;
+        num += batch->paint == paint && !is_opaque(batch);
     }
-    return false;
+    for (size_t i = 0; i < picture->batches.num; i++) {
+        const struct csg_batch *batch = &picture->batches.data[i];
+        if (batch->paint != paint || is_opaque(batch) || batch->object == last)
+            continue;
+        last = batch->object;
+        draw_overlay(picture, batch, num > MAX_OVERLAYS ? ALL_OBJECTS : last);
+        if (num > MAX_OVERLAYS)
+            return;
+    }
 }
 
-/* Distances and leaves are those of all solids. Where some are translucent, colours start anew with
- * the opaque ones; the others come over them in OpenSCAD's order, rear faces before front faces. */
+/* Distances and leaves are those of all solids. Where some of them are translucent, colours start
+ * anew with the opaque ones; the others come over them. */
 static void draw_band(const struct picture *picture)
 {
-    static const struct round rounds[] = {
-        {CSG_LAYER_MODEL, true, true, false, true, false},
-        {CSG_LAYER_MODEL, true, false, false, false, false},
-        {CSG_LAYER_MODEL, false, true, true, false, true},
-        {CSG_LAYER_MODEL, false, true, true, false, false},
-        {CSG_LAYER_BACKGROUND, true, true, true, false, true},
-        {CSG_LAYER_BACKGROUND, true, true, true, false, false},
-        {CSG_LAYER_HIGHLIGHT, true, true, true, false, true},
-        {CSG_LAYER_HIGHLIGHT, true, true, true, false, false},
-    };
-    const bool mixed = is_mixed(picture);
-    for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
-        if ((i == 1 && !mixed) || (i > 1 && !has_draws(picture, &rounds[i])))
-            continue;
-        draw_geometry(picture, &rounds[i]);
-        draw_shading(picture, &rounds[i]);
-    }
+    const struct round all = {.geometry = true};
+    const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = ALL_OBJECTS};
+    bool mixed = false;
+    for (size_t i = 0; i < picture->batches.num; i++)
+        mixed |= picture->batches.data[i].layer == CSG_LAYER_MODEL &&
+                 !is_opaque(&picture->batches.data[i]);
+    draw_round(picture, &all);
+    if (mixed)
+        draw_round(picture, &opaque);
+    for (uint8_t paint = 0; paint < CSG_NUM_LAYERS; paint++)
+        draw_overlays(picture, paint);
 }
 
 /* Reads one attachment of the band, components floats a pixel. */

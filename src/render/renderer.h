@@ -41,6 +41,7 @@ struct csg_batch {
     GLuint rear; /* draws the far sides; 0 where they do not show */
     uint8_t layer, paint;
     bool translucent;
+    uint32_t object; /* of the first instance; of all where they are not simply opaque */
     uint32_t first, num; /* instances */
 };
 

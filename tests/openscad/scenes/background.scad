@@ -5,7 +5,7 @@ difference() {
     cube(20, center = true);
     cylinder(h = 40, r = 6, center = true);
 }
-%translate([40, 0, 0]) sphere(r = 10);
+%translate([52, 0, 0]) sphere(r = 10);
 intersection() {
     translate([30, 0, 0]) cube(12, center = true);
     %translate([30, 0, 0]) sphere(r = 7);
