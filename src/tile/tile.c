@@ -9,6 +9,9 @@
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
 
+/* Keys tried for one at which the object has certainly begun. */
+#define MAX_CANDIDATES 24
+
 /* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
 struct task {
     int lo[2], hi[2]; /* pixels [lo, hi) */
@@ -23,6 +26,8 @@ struct tiler {
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
     CSG_ARRAY(bool) planes;
+    CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
+    CSG_ARRAY(double) candidates;
     uint8_t *known;                          /* by scene leaf */
     struct csg_program program;
 };
@@ -84,10 +89,79 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
     return CSG_VARIES;
 }
 
+/* enum csg_known of a leaf's literal at one key, for all rays of the tile. */
+static uint8_t leaf_value(const struct csg_leaf_range *leaf, bool negated, double key)
+{
+    if (leaf->solid && leaf->entry.hi < key && key < leaf->exit.lo)
+        return negated ? CSG_NOTHING : CSG_EVERYTHING;
+    if (key < leaf->entry.lo || key > leaf->exit.hi || leaf->entry.lo > leaf->exit.hi)
+        return negated ? CSG_EVERYTHING : CSG_NOTHING;
+    return CSG_VARIES;
+}
+
+static uint8_t node_value(const struct tiler *tiler, const struct csg_tree *tree, uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    const uint8_t neutral = node->op == CSG_AND ? CSG_EVERYTHING : CSG_NOTHING;
+    uint8_t value = neutral;
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
+        const uint8_t operand = tiler->values.data[child];
+        if (operand != neutral && operand != CSG_VARIES)
+            return operand;
+        value = operand == CSG_VARIES ? CSG_VARIES : value;
+    }
+    return value;
+}
+
+static bool has_begun(struct tiler *tiler, const struct csg_tree *tree, double key)
+{
+    for (size_t i = tree->num; i-- > 0;) {
+        const struct csg_node *node = &tree->data[i];
+        tiler->values.data[i] = node->op == CSG_LEAF
+                                    ? leaf_value(&tiler->leaves.data[i], node->negated, key)
+                                    : node_value(tiler, tree, (uint32_t)i);
+    }
+    return tiler->values.data[0] == CSG_EVERYTHING;
+}
+
+static int compare_keys(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/*
+ * A key at which every ray of the tile is inside the object: nothing behind it shows. Tried are the
+ * places just behind where solids certainly begin and subtracted ones certainly end.
+ */
+static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
+{
+    const double far = tiler->terms->frame->screen.k_far;
+    tiler->candidates.num = tiler->values.num = 0;
+    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, tree->num) ||
+        !csg_array_reserve(&tiler->values, tree->num))
+        return far;
+    for (size_t i = 0; i < tree->num; i++) {
+        const struct csg_leaf_range *leaf = &tiler->leaves.data[i];
+        if (tree->data[i].op != CSG_LEAF)
+            continue;
+        const double key = tree->data[i].negated ? leaf->exit.hi : leaf->entry.hi;
+        if (tree->data[i].negated || leaf->solid)
+            tiler->candidates.data[tiler->candidates.num++] = key + 1e-9 * (1 + fabs(key));
+    }
+    double *keys = tiler->candidates.data;
+    if (tiler->candidates.num > 1)
+        qsort(keys, tiler->candidates.num, sizeof *keys, compare_keys);
+    for (size_t i = 0; i < tiler->candidates.num && i < MAX_CANDIDATES && keys[i] < far; i++)
+        if (has_begun(tiler, tree, keys[i]))
+            return keys[i];
+    return far;
+}
+
 static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 {
     struct csg_range *contexts = tiler->contexts.data;
-    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, tiler->terms->frame->screen.k_far};
+    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, opaque_key(tiler, tree)};
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
@@ -251,6 +325,8 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.nodes.data);
     free(tiler.contexts.data);
     free(tiler.planes.data);
+    free(tiler.values.data);
+    free(tiler.candidates.data);
     free(tiler.known);
     free(tiler.program.data);
     return ok;
