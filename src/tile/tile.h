@@ -12,7 +12,7 @@
 #include "pack/terms.h"
 
 /* Tiles are not cut below this size, in pixels. */
-#define CSG_TILE_SIZE 16
+#define CSG_TILE_SIZE 8
 
 /* Appends the object's records and draws to the frame. terms are the object's; tree has its nodes
  * from 0 on; rect in pixels, like csg_screen_rect's. false: out of memory. */
