@@ -18,16 +18,32 @@ csgcast_strict(csgcast_objects)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/image/image.c PROPERTIES
     COMPILE_DEFINITIONS CSGCAST_MODULE_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/csgcast")
 
+# Convex hulls: hull() and minkowski() say so where Qhull is missing.
+option(CSGCAST_QHULL "Use the Qhull library for hull() and minkowski()" ON)
+set(qhull_library "")
+if(CSGCAST_QHULL)
+    find_path(QHULL_INCLUDE_DIR libqhull_r/libqhull_r.h)
+    find_library(QHULL_LIBRARY qhull_r)
+    if(QHULL_INCLUDE_DIR AND QHULL_LIBRARY)
+        set(qhull_library ${QHULL_LIBRARY})
+        target_include_directories(csgcast_objects SYSTEM PRIVATE ${QHULL_INCLUDE_DIR})
+        target_compile_definitions(csgcast_objects PRIVATE CSGCAST_QHULL)
+    else()
+        message(WARNING "Qhull is not installed: csgcast will refuse hull() and minkowski() "
+            "(Debian: libqhull-dev)")
+    endif()
+endif()
+
 add_library(csgcast_internal STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:csgcast_objects>)
 target_include_directories(csgcast_internal PUBLIC ${internal_includes})
-target_link_libraries(csgcast_internal PUBLIC m dl pthread)
+target_link_libraries(csgcast_internal PUBLIC ${qhull_library} m dl pthread)
 
 add_library(csgcast $<TARGET_OBJECTS:csgcast_objects>)
 add_library(csgcast::csgcast ALIAS csgcast)
 target_include_directories(csgcast PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(csgcast PRIVATE m dl pthread $<BUILD_INTERFACE:csgcast_compiler>)
+target_link_libraries(csgcast PRIVATE $<BUILD_INTERFACE:${qhull_library}> m dl pthread $<BUILD_INTERFACE:csgcast_compiler>)
 if(NOT CSGCAST_SANITIZE) # the sanitizers' runtime comes with the executable
     target_link_options(csgcast PRIVATE -Wl,--no-undefined)
 endif()

@@ -64,7 +64,7 @@ static void fill_written(struct csgcast_scene *scene)
 
 static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
 {
-    size_t counts[CSG_NUM_KINDS] = {0};
+    size_t counts[CSG_NUM_LEAF_KINDS] = {0};
     struct csgcast_scene_info *info = &scene->info;
     *num_drawn = 0;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
@@ -84,10 +84,10 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
             info->max_crossings += leaf->shape.has_quadric && !leaf->shape.convex ? 4 : 2;
         }
     }
-    for (size_t kind = 0; kind < CSG_NUM_KINDS; kind++)
+    for (size_t kind = 0; kind < CSG_NUM_LEAF_KINDS; kind++)
         if (counts[kind])
             scene->kinds[info->num_kinds++] =
-                (struct csgcast_kind_count){csg_solids[kind]->name, counts[kind]};
+                (struct csgcast_kind_count){csg_kind_name((enum csg_kind)kind), counts[kind]};
     info->kinds = scene->kinds;
 }
 

@@ -11,6 +11,7 @@
 struct csg_leaf {
     struct csg_shape shape; /* in world space */
     enum csg_kind kind;
+    bool is_hole;           /* taken away within its own node: its faces are not cut faces */
     float color[4];         /* r g b a as the outermost valid color() says; r < 0: none */
     uint32_t line, column;  /* of the node in the text */
 };
@@ -41,7 +42,7 @@ struct csgcast_scene {
     struct csg_box box;            /* of the model */
     struct csg_box written;        /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;
-    struct csgcast_kind_count kinds[CSG_NUM_KINDS];
+    struct csgcast_kind_count kinds[CSG_NUM_LEAF_KINDS];
 };
 
 /* A zeroed scene with log and name set; NULL, with a message, when memory is out. */

@@ -62,7 +62,7 @@ static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
 static void shade(const struct job *job, const struct csg_hit *hit, float rgba[4])
 {
     const struct csg_leaf *leaf = &job->scene->leaves[hit->leaf];
-    bool cut = hit->cut;
+    bool cut = hit->cut != leaf->is_hole;
     if (cut && job->params->cut_color == CSGCAST_CUT_MINUEND) {
         const struct csg_leaf *minuend = minuend_of(job->scene, hit);
         leaf = minuend ? minuend : leaf;

@@ -37,6 +37,24 @@ static bool push_leaf(struct tree_builder *build, uint32_t leaf, bool negated)
     return push_node(build, negated ? CSG_AND : CSG_OR, false, 0);
 }
 
+/* Copies the tree of a compound: complemented, unions and intersections change places. */
+static bool push_part(struct tree_builder *build, uint32_t part, bool negated)
+{
+    const struct csg_node *nodes = build->builder->parts.data;
+    const uint32_t first = (uint32_t)build->tree->num;
+    bool done = true;
+    for (uint32_t i = part; i < nodes[part].end && done; i++) {
+        struct csg_node node = nodes[i];
+        node.end = node.end - part + first;
+        if (node.op == CSG_LEAF)
+            node.negated = node.negated != negated;
+        else if (negated)
+            node.op = node.op == CSG_OR ? CSG_AND : CSG_OR;
+        done = csg_array_push(build->tree, node);
+    }
+    return done;
+}
+
 /* De Morgan: a negated union is an intersection of complements and the other way round. */
 static bool open_node(struct tree_builder *build, uint32_t node, bool negated)
 {
@@ -80,11 +98,14 @@ static bool add_subtree(struct tree_builder *build, uint32_t root)
         const struct csg_meaning *meaning = &build->builder->meanings[i];
         while (build->open.num > 0 && build->open.data[build->open.num - 1].end <= i)
             close_node(build);
-        if (i != root && csg_is_left_out(&nodes[i])) {
+        if (i != root && csg_is_left_out(build->builder, i)) {
             i = nodes[i].end;
         } else if (csg_has_children(meaning)) {
             done = open_node(build, i, take_operand(build));
             i++;
+        } else if (meaning->role == CSG_ROLE_COMPOUND && meaning->leaf != CSG_NO_LEAF) {
+            done = push_part(build, meaning->leaf, take_operand(build));
+            i = nodes[i].end;
         } else {
             done = push_leaf(build, meaning->leaf, take_operand(build));
             i = nodes[i].end;
@@ -99,7 +120,7 @@ static bool add_subtree(struct tree_builder *build, uint32_t root)
 
 static bool is_model_root(const struct csg_builder *builder, uint32_t node)
 {
-    return !csg_is_left_out(&builder->document->nodes.data[node]);
+    return !csg_is_left_out(builder, node);
 }
 
 static bool is_background(const struct csg_builder *builder, uint32_t node)
@@ -176,9 +197,11 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .scene = scene,
                                   .facets = facets,
                                   .skip_unsupported = skip_unsupported};
-    bool done = csg_build_meanings(&builder) && csg_build_leaves(&builder);
+    bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
+                csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     free(builder.meanings);
+    free(builder.parts.data);
     return done;
 }

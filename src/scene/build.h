@@ -3,8 +3,9 @@
 #define CSG_SCENE_BUILD_H
 
 /*
- * From nodes to a scene, in three walks over the array of nodes:
+ * From nodes to a scene, in walks over the array of nodes:
  *   meaning.c  what each node is, and which are left out,
+ *   dimension.c  which are two-dimensional where solids are wanted, or the other way round,
  *   leaves.c   the solids, in world space,
  *   build.c    the Boolean trees of the layers.
  */
@@ -18,9 +19,13 @@
 /* What a node of the document is. */
 struct csg_meaning {
     uint8_t role;    /* enum csg_role */
-    uint8_t kind;    /* ROLE_SOLID: enum csg_kind */
+    uint8_t kind;    /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
+    uint8_t dimension; /* 2 or 3; 0: nothing in it says */
     bool is_covered; /* all of it is part of a highlighted subtree around it */
-    uint32_t leaf;   /* ROLE_SOLID: its index; CSG_NO_LEAF when it is empty */
+    bool is_misplaced; /* two-dimensional among solids or the other way round: no operand */
+    /* ROLE_SOLID: the index of its leaf; ROLE_COMPOUND: of its tree's root in the builder's parts;
+     * CSG_NO_LEAF when it is empty. */
+    uint32_t leaf;
 };
 
 struct csg_builder {
@@ -31,6 +36,7 @@ struct csg_builder {
     bool skip_unsupported;
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
+    struct csg_tree parts;        /* the trees of the compounds, one behind the other */
 };
 
 /*
@@ -42,12 +48,15 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);
+bool csg_build_dimensions(struct csg_builder *builder);
 bool csg_build_leaves(struct csg_builder *builder);
 
-/* Whether node is no operand of the node around it: under * or %. */
-static inline bool csg_is_left_out(const struct csg_parsed_node *node)
+/* Whether node is no operand of the node around it: under * or %, or of the wrong dimension. */
+static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t node)
 {
-    return (node->modifiers & (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) != 0;
+    return (builder->document->nodes.data[node].modifiers &
+            (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) != 0 ||
+           builder->meanings[node].is_misplaced;
 }
 
 /* Whether what is below the node takes part. */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/build.h"
+#include "scene/walk.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "csg/part.h"
 #include "scene/transforms.h"
 
 /* A node that changed the space of what is below it. */
@@ -13,84 +14,12 @@ struct frame {
 };
 
 struct walk {
+    struct csg_walk base;
     struct csg_builder *builder;
-    struct csg_arguments arguments;
     CSG_ARRAY(struct frame) frames; /* the first is the world */
 };
 
-static const struct csg_parsed_node *parsed_of(const struct walk *walk, uint32_t node)
-{
-    return &walk->builder->document->nodes.data[node];
-}
-
-/* ---- arguments ---------------------------------------------------------------------------- */
-
-static bool is_parameter(const char *parameters, const char *name)
-{
-    const size_t length = strlen(name);
-    for (const char *word = parameters ? parameters : ""; *word;) {
-        const size_t word_length = strcspn(word, " ");
-        if (word_length == length && memcmp(word, name, length) == 0)
-            return true;
-        word += word_length;
-        word += strspn(word, " ");
-    }
-    return false;
-}
-
-/* A misspelt name would silently mean the default. $fn and its like may stand anywhere. */
-static void warn_of_strange_names(const struct csg_args *args)
-{
-    for (size_t i = 0; i < args->num; i++) {
-        const struct csg_arg *arg = &args->args[i];
-        if (arg->name && arg->name[0] != '$' && strcmp(arg->name, "convexity") != 0 &&
-            !is_parameter(args->parameters, arg->name))
-            csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE,
-                            "%s:%u:%u: %s has no parameter '%.40s'; it has: %s", args->file,
-                            (unsigned)arg->value.line, (unsigned)arg->value.column, args->node,
-                            arg->name, args->parameters ? args->parameters : "none");
-    }
-}
-
-/* false when memory is out. */
-static bool read_args(struct walk *walk, uint32_t node, const char *name, const char *parameters,
-                      struct csg_args *args)
-{
-    const struct csg_builder *builder = walk->builder;
-    const struct csg_parsed_node *parsed = parsed_of(walk, node);
-    if (!csg_document_arguments(builder->document, node, &walk->arguments, builder->report))
-        return false;
-    *args = (struct csg_args){.args = walk->arguments.args.data,
-                              .num = walk->arguments.args.num,
-                              .parameters = parameters,
-                              .facets = builder->facets,
-                              .log = &builder->report->log,
-                              .file = builder->report->file,
-                              .line = parsed->place.line,
-                              .column = parsed->place.column,
-                              .node = name};
-    warn_of_strange_names(args);
-    return true;
-}
-
 /* ---- solids ------------------------------------------------------------------------------- */
-
-static bool is_finite_vector(struct csg_vec3 v)
-{
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
-/* Maps near the limits of double take a shape beyond them. */
-static bool is_finite_shape(const struct csg_shape *shape)
-{
-    bool finite = true;
-    for (size_t i = 0; i < shape->num_planes; i++)
-        finite &= is_finite_vector(shape->planes[i].normal) && isfinite(shape->planes[i].offset);
-    for (int i = 0; shape->has_quadric && i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            finite &= isfinite(shape->quadric.to_canon.m[i][j]) != 0;
-    return finite;
-}
 
 /* OpenSCAD knows a colour of which components are unset; here it is set or not. */
 static void set_color(struct csg_leaf *leaf, const struct csg_space *space)
@@ -102,23 +31,13 @@ static void set_color(struct csg_leaf *leaf, const struct csg_space *space)
         leaf->color[3] = 1;
 }
 
-/* Into world space. false when nothing is left of it there. */
-static bool place_shape(struct csg_shape *shape, const struct csg_space *space)
-{
-    const bool has_written = csg_box_is_finite(&shape->written);
-    const struct csg_box *box = has_written ? &shape->written : &shape->bounds;
-    shape->rounding = shape->rounding * csg_space_stretch(space) + csg_space_rounding(space, box);
-    return !space->is_empty && csg_shape_map(shape, &space->map) && is_finite_shape(shape);
-}
-
-static bool add_leaf(struct walk *walk, uint32_t node, const struct csg_leaf *leaf)
+static bool add_leaf(struct walk *walk, const struct csg_leaf *leaf)
 {
     struct csgcast_scene *scene = walk->builder->scene;
     if (scene->num_leaves == scene->leaves_capacity &&
         !csg_array_grow((void **)&scene->leaves, &scene->leaves_capacity, scene->num_leaves, 1,
                         sizeof *scene->leaves))
         return csg_log_memory(&walk->builder->report->log);
-    walk->builder->meanings[node].leaf = (uint32_t)scene->num_leaves;
     scene->leaves[scene->num_leaves++] = *leaf;
     return true;
 }
@@ -126,19 +45,20 @@ static bool add_leaf(struct walk *walk, uint32_t node, const struct csg_leaf *le
 /* Empty solids and malformed ones get no leaf. */
 static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space *space)
 {
-    const struct csg_parsed_node *parsed = parsed_of(walk, node);
+    const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
     const enum csg_kind kind = walk->builder->meanings[node].kind;
     const struct csg_solid_ops *ops = csg_solids[kind];
     struct csg_args args;
     struct csg_leaf leaf = {
         .kind = kind, .line = parsed->place.line, .column = parsed->place.column};
     leaf.shape.frame = csg_map_identity;
-    if (!read_args(walk, node, ops->name, ops->parameters, &args))
+    if (!csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args))
         return false;
     const enum csg_read_result result = ops->read(&args, &leaf.shape);
-    if (result == CSG_READ_OK && place_shape(&leaf.shape, space)) {
+    if (result == CSG_READ_OK && csg_space_place(space, &leaf.shape)) {
         set_color(&leaf, space);
-        if (add_leaf(walk, node, &leaf))
+        walk->builder->meanings[node].leaf = (uint32_t)walk->builder->scene->num_leaves;
+        if (add_leaf(walk, &leaf))
             return true;
         csg_shape_finish(&leaf.shape);
         return false;
@@ -148,35 +68,98 @@ static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space 
     return true;
 }
 
-/* ---- the walk ----------------------------------------------------------------------------- */
+/* ---- compounds ---------------------------------------------------------------------------- */
 
-/* A difference or intersection that has something to do. */
-static bool is_boolean(const struct walk *walk, uint32_t node)
+/* The shapes that are left in world space become leaves; index[shape] gets their numbers. */
+static bool add_shapes(struct walk *walk, uint32_t node, const struct csg_space *space,
+                       struct csg_part *part, uint32_t *index)
 {
-    const struct csg_parsed_node *nodes = walk->builder->document->nodes.data;
-    int num_operands = 0;
-    if (walk->builder->meanings[node].role == CSG_ROLE_UNION)
-        return false;
-    for (uint32_t i = node + 1; i < nodes[node].end && num_operands < 2; i = nodes[i].end)
-        num_operands += !csg_is_left_out(&nodes[i]);
-    return num_operands == 2;
+    const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        struct csg_leaf leaf = {.shape = part->shapes.data[i],
+                                .kind = (enum csg_kind)walk->builder->meanings[node].kind,
+                                .line = parsed->place.line,
+                                .column = parsed->place.column};
+        index[i] = CSG_NO_LEAF;
+        const bool is_placed = csg_space_place(space, &leaf.shape);
+        part->shapes.data[i] = leaf.shape;
+        if (!is_placed)
+            continue;
+        set_color(&leaf, space);
+        index[i] = (uint32_t)walk->builder->scene->num_leaves;
+        if (!add_leaf(walk, &leaf))
+            return false;
+        part->shapes.data[i].planes = NULL; /* the leaf has them now */
+    }
+    return true;
 }
+
+/* Appends the part's tree to the builder's. A shape that nothing is left of is an empty union. */
+static bool add_tree(struct walk *walk, uint32_t node, const struct csg_part *part,
+                     const uint32_t *index)
+{
+    struct csg_tree *parts = &walk->builder->parts;
+    const uint32_t first = (uint32_t)parts->num;
+    for (size_t i = 0; i < part->tree.num; i++) {
+        struct csg_node copy = part->tree.data[i];
+        copy.end += first;
+        if (copy.op == CSG_LEAF && index[copy.leaf] != CSG_NO_LEAF) {
+            copy.leaf = index[copy.leaf];
+            walk->builder->scene->leaves[copy.leaf].is_hole = copy.negated;
+        } else if (copy.op == CSG_LEAF) {
+            copy = (struct csg_node){.op = copy.negated ? CSG_AND : CSG_OR, .end = copy.end};
+        }
+        if (!csg_array_push(parts, copy))
+            return csg_log_memory(&walk->builder->report->log);
+    }
+    walk->builder->meanings[node].leaf = part->tree.num ? first : CSG_NO_LEAF;
+    return true;
+}
+
+static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *space,
+                     struct csg_part *part)
+{
+    uint32_t *index = malloc((part->shapes.num + 1) * sizeof *index);
+    if (!index)
+        return csg_log_memory(&walk->builder->report->log);
+    const bool done = add_shapes(walk, node, space, part, index) &&
+                      add_tree(walk, node, part, index);
+    free(index);
+    return done;
+}
+
+static bool read_compound(struct walk *walk, uint32_t node, const struct csg_space *space)
+{
+    const struct csg_node_ops *ops = csg_walk_ops(&walk->base, node);
+    struct csg_part part = {0};
+    struct csg_args args;
+    bool done = csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
+                ops->compound(&walk->base, node, &args, space->in_boolean, &part);
+    if (done && part.is_too_large)
+        csg_walk_unsupported(&walk->base, node, "%s: it takes more than %d convex solids",
+                             ops->name, CSG_PART_MAX_SHAPES);
+    else if (done)
+        done = add_part(walk, node, space, &part);
+    csg_part_finish(&part);
+    return done;
+}
+
+/* ---- the walk ----------------------------------------------------------------------------- */
 
 /* A node with children. Only those that change the space get a frame. */
 static bool enter(struct walk *walk, uint32_t node)
 {
-    const struct csg_parsed_node *parsed = parsed_of(walk, node);
-    const struct csg_node_ops *ops =
-        csg_node_find(walk->builder->document->text + parsed->at, parsed->name_length);
+    const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
+    const struct csg_node_ops *ops = csg_walk_ops(&walk->base, node);
     struct frame frame = walk->frames.data[walk->frames.num - 1];
     const bool was_in_boolean = frame.space.in_boolean;
     struct csg_args args;
-    if (!read_args(walk, node, ops->name, ops->parameters, &args))
+    if (!csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args))
         return false;
     if (ops->enter)
         ops->enter(&args, &frame.space);
     frame.end = parsed->end;
-    frame.space.in_boolean = was_in_boolean || is_boolean(walk, node);
+    frame.space.in_boolean = was_in_boolean || csg_walk_is_boolean(&walk->base, node);
     const bool has_changed = ops->enter || frame.space.in_boolean != was_in_boolean;
     if (has_changed && frame.end > node + 1 && !csg_array_push(&walk->frames, frame))
         return csg_log_memory(&walk->builder->report->log);
@@ -186,13 +169,15 @@ static bool enter(struct walk *walk, uint32_t node)
 static bool visit(struct walk *walk, uint32_t node)
 {
     const struct csg_meaning *meaning = &walk->builder->meanings[node];
-    const bool is_malformed = parsed_of(walk, node)->malformed;
+    const bool is_malformed = csg_walk_node(&walk->base, node)->malformed;
     while (walk->frames.data[walk->frames.num - 1].end <= node)
         walk->frames.num--;
-    if (is_malformed)
+    if (is_malformed || meaning->is_misplaced)
         return true;
     if (meaning->role == CSG_ROLE_SOLID)
         return read_solid(walk, node, &walk->frames.data[walk->frames.num - 1].space);
+    if (meaning->role == CSG_ROLE_COMPOUND)
+        return read_compound(walk, node, &walk->frames.data[walk->frames.num - 1].space);
     return !csg_has_children(meaning) || enter(walk, node);
 }
 
@@ -200,14 +185,14 @@ bool csg_build_leaves(struct csg_builder *builder)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
     const struct frame world = {UINT32_MAX, csg_space_world};
-    struct walk walk = {.builder = builder};
+    struct walk walk = {.base = {.builder = builder}, .builder = builder};
     bool done = csg_array_push(&walk.frames, world) || csg_log_memory(&builder->report->log);
     for (uint32_t i = builder->begin; done && i < builder->end;) {
         const bool is_off = (nodes[i].modifiers & CSG_MODIFIER_DISABLE) != 0;
         done = is_off || visit(&walk, i);
         i = is_off || !csg_has_children(&builder->meanings[i]) ? nodes[i].end : i + 1;
     }
-    csg_arguments_finish(&walk.arguments);
+    csg_arguments_finish(&walk.base.arguments);
     free(walk.frames.data);
     return done;
 }

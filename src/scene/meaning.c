@@ -73,9 +73,12 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
     struct csg_meaning meaning = {.role = CSG_ROLE_UNKNOWN, .leaf = CSG_NO_LEAF};
     if (ops) {
         meaning.role = (uint8_t)ops->role;
+        meaning.kind = (uint8_t)ops->kind;
+        meaning.dimension = ops->dimension;
     } else {
         meaning.kind = (uint8_t)csg_solid_find(name, length);
         meaning.role = meaning.kind < CSG_NUM_KINDS ? CSG_ROLE_SOLID : CSG_ROLE_UNKNOWN;
+        meaning.dimension = 3;
     }
     return meaning;
 }
@@ -90,7 +93,7 @@ static void cover_children(struct csg_builder *builder, uint32_t node)
         meaning->role == CSG_ROLE_UNION &&
         (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
     for (uint32_t i = node + 1; is_covering && i < nodes[node].end; i = nodes[i].end)
-        builder->meanings[i].is_covered = !csg_is_left_out(&nodes[i]);
+        builder->meanings[i].is_covered = !csg_is_left_out(builder, i);
 }
 
 /* Returns the node to go on with: the next in the text, or the one behind this subtree. */

@@ -3,15 +3,18 @@
 #define CSG_SCENE_NODES_H
 
 /*
- * The nodes of a scene text that are no solids. A new node is one row in the table of nodes.c: its
- * role in the Boolean tree, and what it does to the space of its children.
+ * The nodes of a scene text that are no single solids. A new node is one row in the table of nodes.c:
+ * its role in the Boolean tree, and what it does to its children.
  */
 
 #include "common/linear.h"
-#include "solids/value.h"
+#include "solids/solid.h"
 
 enum csg_role {
     CSG_ROLE_SOLID, /* a kind of csg_solids */
+    CSG_ROLE_FIGURE,   /* two-dimensional: square, circle, polygon */
+    CSG_ROLE_FLATTEN,  /* two-dimensional: makes a new drawing of the one in it */
+    CSG_ROLE_COMPOUND, /* becomes several shapes; what is in it is read with it */
     CSG_ROLE_UNION,
     CSG_ROLE_DIFFERENCE,
     CSG_ROLE_INTERSECTION,
@@ -31,12 +34,29 @@ struct csg_space {
     bool has_color; /* color is one that inner colours cannot replace */
 };
 
+struct csg_drawing;
+struct csg_part;
+struct csg_walk;
+
 struct csg_node_ops {
     const char *name;
     enum csg_role role;
     const char *parameters; /* in positional order, see csg_args; NULL: none */
+    uint8_t dimension;      /* 2 or 3; 0: that of what is in it */
+    uint8_t wants;          /* 2 or 3: what must be in it; 0: of its own dimension */
+    enum csg_kind kind;     /* COMPOUND: of its leaves */
     /* Changes the space of the children. false: a message was given. NULL: nothing to change. */
     bool (*enter)(const struct csg_args *args, struct csg_space *space);
+    /* FIGURE: adds it to a drawing, see scene/figures.h. */
+    bool (*figure)(const struct csg_args *args, const struct csg_space *space,
+                   struct csg_drawing *drawing);
+    /* In a drawing: replaces the nodes from draw on, the union of what is in the node, by what the
+     * node makes of it. NULL: not there. false, with a message, when memory is out. */
+    bool (*flatten)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                    struct csg_drawing *drawing, uint32_t draw);
+    /* COMPOUND: see scene/compounds.h. */
+    bool (*compound)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                     bool in_boolean, struct csg_part *part);
 };
 
 extern const struct csg_space csg_space_world;

@@ -232,8 +232,10 @@ bool csg_enter_color(const struct csg_args *args, struct csg_space *space)
 double csg_space_rounding(const struct csg_space *space, const struct csg_box *box)
 {
     double largest = 0;
-    for (int corner = 0; csg_box_is_finite(box) && corner < 8; corner++) {
-        const struct csg_vec3 c = csg_box_corner(box, corner);
+    /* Of an unbounded solid at least the move is known. */
+    const bool finite = csg_box_is_finite(box);
+    for (int corner = 0; corner < (finite ? 8 : 1); corner++) {
+        const struct csg_vec3 c = finite ? csg_box_corner(box, corner) : csg_vec3(0, 0, 0);
         double squares = 0;
         for (int i = 0; i < 3; i++) {
             const double *e = space->error[i];

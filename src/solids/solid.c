@@ -21,3 +21,15 @@ enum csg_kind csg_solid_find(const char *name, size_t length)
         kind++;
     return kind;
 }
+
+const char *csg_kind_name(enum csg_kind kind)
+{
+    static const char *const compounds[CSG_NUM_LEAF_KINDS - CSG_NUM_KINDS] = {
+        [CSG_KIND_LINEAR_EXTRUDE - CSG_NUM_KINDS] = "linear_extrude",
+        [CSG_KIND_ROTATE_EXTRUDE - CSG_NUM_KINDS] = "rotate_extrude",
+        [CSG_KIND_POLYHEDRON - CSG_NUM_KINDS] = "polyhedron",
+        [CSG_KIND_HULL - CSG_NUM_KINDS] = "hull",
+        [CSG_KIND_MINKOWSKI - CSG_NUM_KINDS] = "minkowski",
+    };
+    return kind < CSG_NUM_KINDS ? csg_solids[kind]->name : compounds[kind - CSG_NUM_KINDS];
+}

@@ -30,11 +30,21 @@ enum csg_kind {
 #define CSG_SOLID(kind) CSG_KIND_##kind,
 #include "solids/solids.def"
 #undef CSG_SOLID
-    CSG_NUM_KINDS
+    CSG_NUM_KINDS,
+    /* Nodes that become several shapes (scene/compounds.h): */
+    CSG_KIND_LINEAR_EXTRUDE = CSG_NUM_KINDS,
+    CSG_KIND_ROTATE_EXTRUDE,
+    CSG_KIND_POLYHEDRON,
+    CSG_KIND_HULL,
+    CSG_KIND_MINKOWSKI,
+    CSG_NUM_LEAF_KINDS
 };
 
 /* Indexed by enum csg_kind. */
 extern const struct csg_solid_ops *const csg_solids[CSG_NUM_KINDS];
+
+/* As written in a scene; compounds included. */
+const char *csg_kind_name(enum csg_kind kind);
 
 /* The kind with that name; CSG_NUM_KINDS when there is none. */
 enum csg_kind csg_solid_find(const char *name, size_t length);

@@ -27,7 +27,7 @@ static void print_node(const struct csgcast_scene *scene, const struct csg_node 
     text_add(text, "%*s", (int)(2 * depth), "");
     if (node->op == CSG_LEAF)
         text_add(text, "%s%s %u\n", node->negated ? "not " : "",
-                 csg_solids[scene->leaves[node->leaf].kind]->name, (unsigned)node->leaf);
+                 csg_kind_name(scene->leaves[node->leaf].kind), (unsigned)node->leaf);
     else
         text_add(text, "%s\n", names[node->op]);
 }
@@ -55,7 +55,7 @@ static double tidy(double value)
 static void print_leaf(const struct csg_leaf *leaf, size_t index, struct text *text)
 {
     const struct csg_box box = csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
-    text_add(text, "  %zu %s at %u:%u", index, csg_solids[leaf->kind]->name, (unsigned)leaf->line,
+    text_add(text, "  %zu %s at %u:%u", index, csg_kind_name(leaf->kind), (unsigned)leaf->line,
              (unsigned)leaf->column);
     text_add(text, " box [%g %g %g] [%g %g %g]", tidy(box.lo.x), tidy(box.lo.y), tidy(box.lo.z),
              tidy(box.hi.x), tidy(box.hi.y), tidy(box.hi.z));

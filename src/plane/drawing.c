@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+#include "plane/drawing.h"
+
+#include <stdlib.h>
+
+void csg_drawing_finish(struct csg_drawing *drawing)
+{
+    free(drawing->nodes.data);
+    free(drawing->figures.data);
+    free(drawing->contours.data);
+    free(drawing->points.data);
+    *drawing = (struct csg_drawing){0};
+}
+
+bool csg_drawing_open(struct csg_drawing *drawing, enum csg_draw_op op)
+{
+    const uint32_t end = (uint32_t)drawing->nodes.num + 1;
+    return csg_array_push(&drawing->nodes, ((struct csg_draw_node){.op = (uint8_t)op, .end = end}));
+}
+
+bool csg_drawing_add_figure(struct csg_drawing *drawing, double rounding)
+{
+    const uint32_t first = (uint32_t)drawing->contours.num;
+    const struct csg_draw_node node = {.op = CSG_DRAW_FIGURE,
+                                       .figure = (uint32_t)drawing->figures.num,
+                                       .end = (uint32_t)drawing->nodes.num + 1};
+    const struct csg_figure figure = {
+        .begin = first, .end = first, .disc = csg_map_identity, .rounding = rounding};
+    return csg_array_push(&drawing->figures, figure) && csg_array_push(&drawing->nodes, node);
+}
+
+bool csg_drawing_add_contour(struct csg_drawing *drawing)
+{
+    const uint32_t first = (uint32_t)drawing->points.num;
+    if (!csg_array_push(&drawing->contours, ((struct csg_contour){first, first})))
+        return false;
+    drawing->figures.data[drawing->figures.num - 1].end = (uint32_t)drawing->contours.num;
+    return true;
+}
+
+bool csg_drawing_add_point(struct csg_drawing *drawing, double x, double y)
+{
+    if (!csg_array_push(&drawing->points, ((struct csg_vec2){x, y})))
+        return false;
+    drawing->contours.data[drawing->contours.num - 1].end = (uint32_t)drawing->points.num;
+    return true;
+}
+
+double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end)
+{
+    double rounding = 0;
+    for (uint32_t i = begin; i < end; i++)
+        if (drawing->nodes.data[i].op == CSG_DRAW_FIGURE)
+            rounding =
+                fmax(rounding, drawing->figures.data[drawing->nodes.data[i].figure].rounding);
+    return rounding;
+}
+
+bool csg_drawing_is_facetted(const struct csg_drawing *drawing, uint32_t begin, uint32_t end)
+{
+    for (uint32_t i = begin; i < end; i++) {
+        const struct csg_draw_node *node = &drawing->nodes.data[i];
+        if (node->op == CSG_DRAW_FIGURE && (drawing->figures.data[node->figure].facetted ||
+                                            drawing->figures.data[node->figure].is_disc))
+            return true;
+    }
+    return false;
+}
+
+struct csg_box csg_figure_written(const struct csg_drawing *drawing,
+                                  const struct csg_figure *figure)
+{
+    struct csg_box box = csg_box_empty;
+    for (uint32_t i = figure->begin; i < figure->end; i++)
+        for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++)
+            csg_box_extend(&box,
+                           csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
+    return box;
+}

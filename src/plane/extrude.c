@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+#include "plane/extrude.h"
+
+#include <stdlib.h>
+
+/* A node of the drawing that is open in the part. */
+struct open {
+    uint32_t end; /* in the drawing */
+    uint8_t op;
+    bool negated;
+    uint32_t num_children;
+};
+
+struct extruder {
+    struct csg_part *part;
+    const struct csg_drawing *drawing;
+    const struct csg_lift *lift;
+    CSG_ARRAY(struct open) open;
+    bool too_large;
+};
+
+static bool add_disc(struct extruder *extruder, const struct csg_figure *figure, bool negated)
+{
+    const struct csg_box section = csg_figure_written(extruder->drawing, figure);
+    struct csg_shape shape = {.frame = csg_map_identity, .rounding = figure->rounding};
+    if (!csg_disc_fill(&shape, &figure->disc, extruder->lift)) {
+        csg_shape_finish(&shape);
+        return false;
+    }
+    shape.written = csg_lift_box(extruder->lift, &section);
+    return csg_part_add(extruder->part, &shape, negated);
+}
+
+static bool add_piece(struct extruder *extruder, const struct csg_figure *figure,
+                      const struct csg_pieces *pieces, const struct csg_piece *piece, bool negated)
+{
+    struct csg_shape shape = {.frame = csg_map_identity,
+                              .facetted = figure->facetted,
+                              .rounding = figure->rounding};
+    if (csg_prism_fill(&shape, pieces, piece, extruder->lift))
+        return csg_part_add(extruder->part, &shape, negated);
+    csg_shape_finish(&shape);
+    return false;
+}
+
+/* A union of pieces, or, negated, what is in none of them. */
+static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
+{
+    const struct csg_figure *figure =
+        &extruder->drawing->figures.data[extruder->drawing->nodes.data[node].figure];
+    struct csg_pieces pieces = {0};
+    const enum csg_sweep_result result = csg_pieces_cut(&pieces, extruder->drawing, node);
+    bool ok = result == CSG_SWEEP_DONE && csg_part_open(extruder->part, negated);
+    extruder->too_large |= result == CSG_SWEEP_TOO_LARGE;
+    for (size_t i = 0; i < pieces.pieces.num && ok && !extruder->part->is_too_large; i++)
+        ok = add_piece(extruder, figure, &pieces, &pieces.pieces.data[i], negated);
+    if (ok)
+        csg_part_close(extruder->part);
+    csg_pieces_finish(&pieces);
+    return ok;
+}
+
+static void close_nodes(struct extruder *extruder, uint32_t node)
+{
+    while (extruder->open.num && extruder->open.data[extruder->open.num - 1].end <= node) {
+        extruder->open.num--;
+        csg_part_close(extruder->part);
+    }
+}
+
+/* Whether the next child of the innermost open node is complemented; counts it. */
+static bool take_child(struct extruder *extruder)
+{
+    if (extruder->open.num == 0)
+        return false;
+    struct open *open = &extruder->open.data[extruder->open.num - 1];
+    return open->negated != (open->op == CSG_DRAW_DIFFERENCE && open->num_children++ > 0);
+}
+
+/* De Morgan, as in scene/build.c. A node without children is empty. */
+static bool open_node(struct extruder *extruder, const struct csg_draw_node *node, uint32_t index,
+                      bool negated)
+{
+    const struct open open = {.end = node->end, .op = node->op, .negated = negated};
+    const bool is_union = node->op == CSG_DRAW_UNION || node->end == index + 1;
+    return csg_part_open(extruder->part, is_union == negated) &&
+           csg_array_push(&extruder->open, open);
+}
+
+bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
+                 const struct csg_lift *lift, bool *too_large)
+{
+    struct extruder extruder = {.part = part, .drawing = drawing, .lift = lift};
+    bool ok = true;
+    for (uint32_t i = 0; i < drawing->nodes.num && ok && !part->is_too_large; i++) {
+        const struct csg_draw_node *node = &drawing->nodes.data[i];
+        close_nodes(&extruder, i);
+        const bool negated = take_child(&extruder);
+        if (node->op != CSG_DRAW_FIGURE)
+            ok = open_node(&extruder, node, i, negated);
+        else if (drawing->figures.data[node->figure].is_disc)
+            ok = add_disc(&extruder, &drawing->figures.data[node->figure], negated);
+        else
+            ok = add_polygon(&extruder, i, negated);
+    }
+    close_nodes(&extruder, UINT32_MAX);
+    free(extruder.open.data);
+    *too_large = extruder.too_large;
+    return ok;
+}

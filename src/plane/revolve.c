@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+#include "plane/revolve.h"
+
+#include <stdlib.h>
+
+#include "plane/prism.h"
+#include "solids/facets.h"
+
+/* Between two edges of the profile and two levels. */
+struct trapezoid {
+    uint32_t left, right; /* edges */
+    uint32_t begin, end;  /* levels */
+};
+
+/* Part of the turn, at most 180 degrees or all of it. */
+struct sector {
+    double from, to; /* degrees, from < to */
+    bool all_round;
+    int num; /* segments */
+};
+
+struct lathe {
+    struct csg_part *part;
+    const struct csg_profile *profile;
+    const struct csg_turn *turn;
+    double rounding;
+    double flip; /* degrees: 180 for a profile left of the axis */
+    CSG_ARRAY(struct sector) sectors;
+    CSG_ARRAY(struct trapezoid) trapezoids;
+};
+
+/* Coordinates below this share of the largest, or below the rounding, are on the axis. */
+#define ON_AXIS 1e-9
+
+/* ---- the profile -------------------------------------------------------------------------- */
+
+static void extend(struct csg_profile *profile, double x)
+{
+    profile->lo = fmin(profile->lo, x);
+    profile->hi = fmax(profile->hi, x);
+}
+
+enum csg_sweep_result csg_profile_init(struct csg_profile *profile,
+                                       const struct csg_drawing *drawing)
+{
+    *profile = (struct csg_profile){.lo = INFINITY, .hi = -INFINITY};
+    const enum csg_sweep_result result = csg_sweep(&profile->sweep, drawing, 0);
+    const struct csg_sweep *sweep = &profile->sweep;
+    profile->snap = fmax(ON_AXIS * sweep->size,
+                         2 * csg_drawing_rounding(drawing, 0, (uint32_t)drawing->nodes.num));
+    for (size_t i = 0; i < sweep->spans.num; i++) {
+        const struct csg_sweep_span *span = &sweep->spans.data[i];
+        for (uint32_t level = span->level; level <= span->level + 1; level++) {
+            extend(profile, csg_sweep_x(sweep, span->left, level));
+            extend(profile, csg_sweep_x(sweep, span->right, level));
+        }
+    }
+    return result;
+}
+
+void csg_profile_finish(struct csg_profile *profile)
+{
+    csg_sweep_finish(&profile->sweep);
+}
+
+/* Joins the spans of neighbouring slabs that lie between the same edges. Both are in the order of x,
+ * so the trapezoids of the slab below are looked through only once. */
+static bool find_trapezoids(struct lathe *lathe)
+{
+    const struct csg_sweep *sweep = &lathe->profile->sweep;
+    size_t below = 0, above = 0; /* the first trapezoid of the slab below and of this one */
+    CSG_ARRAY(size_t) tops[2] = {{0}, {0}};
+    bool ok = true;
+    for (size_t i = 0; i < sweep->spans.num && ok; i++) {
+        const struct csg_sweep_span span = sweep->spans.data[i];
+        if (i == 0 || sweep->spans.data[i - 1].level != span.level) {
+            tops[0].num = 0;
+            for (size_t k = 0; k < tops[1].num && ok; k++)
+                ok = csg_array_push(&tops[0], tops[1].data[k]);
+            tops[1].num = 0;
+            below = 0;
+        }
+        above = lathe->trapezoids.num;
+        for (size_t k = below; k < tops[0].num; k++) {
+            struct trapezoid *old = &lathe->trapezoids.data[tops[0].data[k]];
+            if (old->end == span.level && old->left == span.left && old->right == span.right) {
+                above = tops[0].data[k];
+                below = k + 1;
+                break;
+            }
+        }
+        if (above < lathe->trapezoids.num)
+            lathe->trapezoids.data[above].end = span.level + 1;
+        else
+            ok = ok && csg_array_push(&lathe->trapezoids,
+                                      ((struct trapezoid){span.left, span.right, span.level,
+                                                          span.level + 1}));
+        ok = ok && csg_array_push(&tops[1], above);
+    }
+    free(tops[0].data);
+    free(tops[1].data);
+    return ok;
+}
+
+/* ---- the turn ----------------------------------------------------------------------------- */
+
+/* Cuts the turn into sectors, at segments where it is facetted. */
+static bool find_sectors(struct lathe *lathe)
+{
+    const struct csg_turn *turn = lathe->turn;
+    const double start = turn->start + lathe->flip;
+    const double from = turn->angle < 0 ? start + turn->angle : start;
+    const double size = fabs(turn->angle);
+    const int per_sector =
+        turn->facetted ? (int)floor(180 / (size / turn->num) + 1e-9) : turn->num;
+    bool ok = true;
+    if (size >= 360)
+        return csg_array_push(&lathe->sectors,
+                              ((struct sector){start, start + 360, true, turn->num}));
+    if (!turn->facetted) {
+        for (double at = 0; at < size && ok; at += 180)
+            ok = csg_array_push(&lathe->sectors,
+                                ((struct sector){from + at, from + fmin(at + 180, size), false,
+                                                 turn->num}));
+        return ok;
+    }
+    for (int i = 0; i < turn->num && per_sector > 0 && ok; i += per_sector) {
+        const int num = turn->num - i < per_sector ? turn->num - i : per_sector;
+        ok = csg_array_push(&lathe->sectors,
+                            ((struct sector){from + size * i / turn->num,
+                                             from + size * (i + num) / turn->num, false, num}));
+    }
+    return ok;
+}
+
+static struct csg_vec2 direction(double degrees)
+{
+    return (struct csg_vec2){csg_cos_degrees(degrees), csg_sin_degrees(degrees)};
+}
+
+static struct csg_vec2 sector_direction(const struct sector *sector, int i)
+{
+    return direction(sector->from + (sector->to - sector->from) * i / sector->num);
+}
+
+/* The planes through the axis. For a half turn they are the same one. */
+static bool add_wedge(struct csg_shape *shape, const struct sector *sector)
+{
+    const struct csg_vec2 from = direction(sector->from), to = direction(sector->to);
+    if (sector->all_round)
+        return true;
+    return csg_shape_add_plane(shape, csg_vec3(from.y, -from.x, 0), 0) &&
+           (sector->to - sector->from >= 180 ||
+            csg_shape_add_plane(shape, csg_vec3(-to.y, to.x, 0), 0));
+}
+
+/* The box of a disc's sector: its ends, its centre and where it crosses the axes. */
+static struct csg_box sector_box(const struct sector *sector, double r)
+{
+    struct csg_box box = csg_box_empty;
+    const struct csg_vec2 from = direction(sector->from), to = direction(sector->to);
+    csg_box_extend(&box, csg_vec3(r * from.x, r * from.y, 0));
+    csg_box_extend(&box, csg_vec3(r * to.x, r * to.y, 0));
+    csg_box_extend(&box, csg_vec3(0, 0, 0));
+    for (double at = 90 * ceil(sector->from / 90); at < sector->to; at += 90)
+        csg_box_extend(&box, csg_vec3(r * direction(at).x, r * direction(at).y, 0));
+    return box;
+}
+
+static struct csg_box written_box(const struct sector *sector, double r)
+{
+    struct csg_box box = csg_box_empty;
+    for (int i = 0; i <= sector->num; i++) {
+        const struct csg_vec2 d = sector_direction(sector, i);
+        csg_box_extend(&box, csg_vec3(r * d.x, r * d.y, 0));
+    }
+    return box;
+}
+
+/*
+ * The facet between the directions a and b: its normal m in the plane is across b - a, and its
+ * distance from the axis is k = m.a times the radius r(z) = r0 + g (z - z0), g = (r1 - r0) /
+ * (z1 - z0):   m.x x + m.y y - k g z <= k (r0 - g z0).
+ */
+static bool add_facets(struct csg_shape *shape, const struct sector *sector,
+                       const struct csg_lift *radius)
+{
+    const double g = (radius->s1 - radius->s0) / (radius->z1 - radius->z0);
+    bool ok = true;
+    for (int i = 0; i < sector->num && ok; i++) {
+        const struct csg_vec2 a = sector_direction(sector, i);
+        const struct csg_vec2 b = sector_direction(sector, i + 1);
+        const double length = hypot(b.x - a.x, b.y - a.y);
+        const struct csg_vec2 m = {(b.y - a.y) / length, -(b.x - a.x) / length};
+        const double k = m.x * a.x + m.y * a.y;
+        ok = csg_shape_add_plane(shape, csg_vec3(m.x, m.y, -k * g),
+                                 k * (radius->s0 - g * radius->z0));
+    }
+    return ok;
+}
+
+/* ---- solids ------------------------------------------------------------------------------- */
+
+/* What is within a radius that depends linearly on z. */
+static bool add_frustum(struct lathe *lathe, const struct sector *sector,
+                        const struct csg_lift *radius, bool negated)
+{
+    const double largest = fmax(radius->s0, radius->s1);
+    const struct csg_map disc = csg_map_scaling(csg_vec3(largest, largest, 1));
+    const struct csg_lift lift = {radius->z0, radius->s0 / largest, radius->z1,
+                                  radius->s1 / largest};
+    struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
+    const struct csg_box section = sector_box(sector, 1), written = written_box(sector, 1);
+    bool ok;
+    if (lathe->turn->facetted) {
+        shape.convex = shape.facetted = true;
+        ok = csg_lift_add_caps(radius, &shape) && add_facets(&shape, sector, radius);
+    } else {
+        ok = csg_disc_fill(&shape, &disc, &lift);
+    }
+    if (!ok || !add_wedge(&shape, sector)) {
+        csg_shape_finish(&shape);
+        return false;
+    }
+    shape.bounds = csg_lift_box(radius, &section);
+    shape.written = csg_lift_box(radius, &written);
+    return csg_part_add(lathe->part, &shape, negated);
+}
+
+static double radius_at(const struct lathe *lathe, uint32_t edge, uint32_t level)
+{
+    const double x = fabs(csg_sweep_x(&lathe->profile->sweep, edge, level));
+    return x <= lathe->profile->snap ? 0 : x;
+}
+
+/* The outer edge's frustum without the inner one's. */
+static bool add_ring(struct lathe *lathe, const struct sector *sector,
+                     const struct trapezoid *trapezoid)
+{
+    const double *levels = lathe->profile->sweep.levels.data;
+    const double z0 = levels[trapezoid->begin], z1 = levels[trapezoid->end];
+    const uint32_t outer = lathe->flip > 0 ? trapezoid->left : trapezoid->right;
+    const uint32_t inner = lathe->flip > 0 ? trapezoid->right : trapezoid->left;
+    const struct csg_lift out = {z0, radius_at(lathe, outer, trapezoid->begin), z1,
+                                 radius_at(lathe, outer, trapezoid->end)};
+    const struct csg_lift in = {z0, radius_at(lathe, inner, trapezoid->begin), z1,
+                                radius_at(lathe, inner, trapezoid->end)};
+    if (out.s0 <= 0 && out.s1 <= 0)
+        return true;
+    if (!csg_part_open(lathe->part, true) || !add_frustum(lathe, sector, &out, false) ||
+        ((in.s0 > 0 || in.s1 > 0) && !add_frustum(lathe, sector, &in, true)))
+        return false;
+    csg_part_close(lathe->part);
+    return true;
+}
+
+static bool add_rings(struct lathe *lathe)
+{
+    bool ok = csg_part_open(lathe->part, false);
+    for (size_t i = 0; i < lathe->sectors.num; i++)
+        for (size_t j = 0; j < lathe->trapezoids.num && ok && !lathe->part->is_too_large; j++)
+            ok = add_ring(lathe, &lathe->sectors.data[i], &lathe->trapezoids.data[j]);
+    if (ok)
+        csg_part_close(lathe->part);
+    return ok;
+}
+
+bool csg_revolve(struct csg_part *part, const struct csg_profile *profile,
+                 const struct csg_turn *turn, double rounding)
+{
+    struct lathe lathe = {.part = part,
+                          .profile = profile,
+                          .turn = turn,
+                          .rounding = rounding,
+                          .flip = profile->hi > profile->snap ? 0 : 180};
+    const bool ok = find_trapezoids(&lathe) && find_sectors(&lathe) && add_rings(&lathe);
+    free(lathe.sectors.data);
+    free(lathe.trapezoids.data);
+    return ok;
+}

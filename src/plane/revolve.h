@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PLANE_REVOLVE_H
+#define CSG_PLANE_REVOLVE_H
+
+/* rotate_extrude: the drawing, cut into trapezoids, turned about its y axis, which becomes z. */
+
+#include "csg/part.h"
+#include "plane/sweep.h"
+
+struct csg_turn {
+    double start, angle; /* degrees from +x; angle in (-360, 360] and not 0; 360: all round */
+    int num;             /* OpenSCAD's segments */
+    bool facetted;       /* stay flat */
+};
+
+/* What the profile covers: lo > hi when it is empty. x closer to 0 than snap counts as 0. */
+struct csg_profile {
+    struct csg_sweep sweep;
+    double lo, hi; /* of x */
+    double snap;
+};
+
+/* Sweeps the whole drawing. */
+enum csg_sweep_result csg_profile_init(struct csg_profile *profile,
+                                       const struct csg_drawing *drawing);
+void csg_profile_finish(struct csg_profile *profile);
+
+/* The profile must lie on one side of the axis. false: out of memory. */
+bool csg_revolve(struct csg_part *part, const struct csg_profile *profile,
+                 const struct csg_turn *turn, double rounding);
+
+#endif

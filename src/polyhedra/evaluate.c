@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+#include "polyhedra/evaluate.h"
+
+#include <stdlib.h>
+
+#include "polyhedra/cell.h"
+
+/* Give up when a Boolean is in so many pieces. */
+enum { max_cells = 20000 };
+
+struct cells {
+    CSG_ARRAY(struct csg_cell) list;
+};
+
+/* A Boolean node at work. */
+struct frame {
+    uint32_t end;
+    bool is_and;
+    struct cells in;  /* what its next child, of an intersection, or each child is cut out of */
+    struct cells out; /* union: what the children have made */
+};
+
+struct evaluator {
+    const struct csg_part *part;
+    CSG_ARRAY(struct frame) frames;
+    size_t num_cells;
+    double near;
+};
+
+void csg_clusters_finish(struct csg_clusters *clusters)
+{
+    free(clusters->corners.points.data);
+    free(clusters->ends.data);
+    *clusters = (struct csg_clusters){0};
+}
+
+/* ---- lists of cells ----------------------------------------------------------------------- */
+
+static void finish_cells(struct cells *cells)
+{
+    for (size_t i = 0; i < cells->list.num; i++)
+        csg_cell_finish(&cells->list.data[i]);
+    free(cells->list.data);
+    *cells = (struct cells){0};
+}
+
+/* Takes the cell over. */
+static bool push_cell(struct cells *cells, struct csg_cell *cell)
+{
+    if (cell->faces.num >= 4 && csg_array_push(&cells->list, *cell))
+        return true;
+    const bool is_empty = cell->faces.num < 4;
+    csg_cell_finish(cell);
+    return is_empty;
+}
+
+/* A plane far beyond it copies a cell. */
+static bool copy_cell(const struct csg_cell *cell, struct csg_cell *copy)
+{
+    const struct csg_box box = csg_cell_box(cell);
+    const double far = box.hi.x + (box.hi.x - box.lo.x) + 1;
+    struct csg_cell rest = {0};
+    const bool ok =
+        csg_cell_split(cell, &(struct csg_plane){{1, 0, 0}, far}, 0, copy, &rest);
+    csg_cell_finish(&rest);
+    return ok;
+}
+
+static bool copy_cells(const struct cells *from, struct cells *to)
+{
+    bool ok = true;
+    for (size_t i = 0; i < from->list.num && ok; i++) {
+        struct csg_cell copy = {0};
+        ok = copy_cell(&from->list.data[i], &copy);
+        ok = push_cell(to, &copy) && ok;
+    }
+    return ok;
+}
+
+static bool move_cells(struct cells *from, struct cells *to)
+{
+    bool ok = true;
+    for (size_t i = 0; i < from->list.num; i++)
+        ok = push_cell(to, &from->list.data[i]) && ok;
+    from->list.num = 0;
+    finish_cells(from);
+    return ok;
+}
+
+/* ---- a leaf ------------------------------------------------------------------------------- */
+
+static bool misses(const struct csg_cell *cell, const struct csg_shape *shape)
+{
+    const struct csg_box a = csg_cell_box(cell), b = csg_box_map(&shape->frame, &shape->bounds);
+    const struct csg_box common = csg_box_intersection(&a, &b);
+    return csg_box_is_empty(&common);
+}
+
+/* What of the cell is in the shape, or, where that is asked for, the pieces that are not: beyond its
+ * first plane, then within that and beyond the second, and so on. */
+static bool cut_cell(struct evaluator *evaluator, struct csg_cell *cell,
+                     const struct csg_shape *shape, bool negated, struct cells *out)
+{
+    bool ok = true;
+    if (misses(cell, shape)) {
+        if (negated)
+            return push_cell(out, cell);
+        csg_cell_finish(cell);
+        return true;
+    }
+    for (size_t i = 0; i < shape->num_planes && ok && cell->faces.num > 0; i++) {
+        double lo, hi;
+        csg_cell_range(cell, &shape->planes[i], &lo, &hi);
+        if (hi <= evaluator->near)
+            continue;
+        struct csg_cell below = {0}, above = {0};
+        if (lo < -evaluator->near) {
+            ok = csg_cell_split(cell, &shape->planes[i], evaluator->near, &below, &above);
+            csg_cell_finish(cell);
+        } else {
+            above = *cell;
+            *cell = (struct csg_cell){0};
+        }
+        *cell = below;
+        evaluator->num_cells++;
+        if (negated)
+            ok = push_cell(out, &above) && ok;
+        else
+            csg_cell_finish(&above);
+    }
+    if (!negated)
+        return push_cell(out, cell) && ok;
+    csg_cell_finish(cell);
+    return ok;
+}
+
+static bool cut_cells(struct evaluator *evaluator, struct cells *in, const struct csg_node *leaf,
+                      struct cells *out)
+{
+    const struct csg_shape *shape = &evaluator->part->shapes.data[leaf->leaf];
+    bool ok = true;
+    for (size_t i = 0; i < in->list.num; i++)
+        ok = cut_cell(evaluator, &in->list.data[i], shape, leaf->negated, out) && ok;
+    in->list.num = 0;
+    finish_cells(in);
+    return ok;
+}
+
+/* ---- the tree ----------------------------------------------------------------------------- */
+
+/* What a child works on: an intersection hands its cells from child to child. */
+static bool take_input(struct frame *frame, struct cells *in)
+{
+    if (!frame->is_and)
+        return copy_cells(&frame->in, in);
+    *in = frame->in;
+    frame->in = (struct cells){0};
+    return true;
+}
+
+static bool give_output(struct frame *frame, struct cells *out)
+{
+    return move_cells(out, frame->is_and ? &frame->in : &frame->out);
+}
+
+static bool close_frame(struct evaluator *evaluator)
+{
+    struct frame frame = evaluator->frames.data[--evaluator->frames.num];
+    struct frame *parent = &evaluator->frames.data[evaluator->frames.num - 1];
+    const bool ok = give_output(parent, frame.is_and ? &frame.in : &frame.out);
+    finish_cells(&frame.in);
+    finish_cells(&frame.out);
+    return ok;
+}
+
+static bool visit(struct evaluator *evaluator, const struct csg_node *node)
+{
+    struct frame *top = &evaluator->frames.data[evaluator->frames.num - 1];
+    struct cells in = {0}, out = {0};
+    bool ok = take_input(top, &in);
+    if (node->op == CSG_LEAF) {
+        ok = ok && cut_cells(evaluator, &in, node, &out) && give_output(top, &out);
+        finish_cells(&out);
+    } else {
+        const struct frame frame = {.end = node->end, .is_and = node->op == CSG_AND, .in = in};
+        if (ok && csg_array_push(&evaluator->frames, frame))
+            return true;
+        ok = false;
+    }
+    finish_cells(&in);
+    return ok;
+}
+
+/* Everything is cut out of one cell around all shapes. */
+static bool start(struct evaluator *evaluator)
+{
+    const struct csg_part *part = evaluator->part;
+    struct csg_box box = csg_box_empty;
+    struct csg_cell cell = {0};
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        const struct csg_shape *shape = &part->shapes.data[i];
+        const struct csg_box own = csg_box_map(&shape->frame, &shape->bounds);
+        box = csg_box_union(&box, &own);
+    }
+    if (csg_box_is_empty(&box))
+        box = (struct csg_box){{0, 0, 0}, {1, 1, 1}};
+    const struct csg_vec3 size = csg_sub(box.hi, box.lo);
+    evaluator->near = 1e-11 * (csg_length(box.lo) + csg_length(box.hi));
+    box.lo = csg_sub(box.lo, size);
+    box.hi = csg_add(box.hi, size);
+    struct frame root = {.end = UINT32_MAX};
+    if (csg_cell_from_box(&cell, &box) && push_cell(&root.in, &cell) &&
+        csg_array_push(&evaluator->frames, root))
+        return true;
+    csg_cell_finish(&cell);
+    finish_cells(&root.in);
+    return false;
+}
+
+static bool add_cluster(struct csg_clusters *clusters, const struct csg_cell *cell)
+{
+    bool ok = true;
+    for (size_t i = 0; i < cell->faces.num && ok; i++)
+        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++)
+            ok = csg_array_push(&clusters->corners.points, cell->faces.data[i].points.data[j]);
+    return ok && csg_array_push(&clusters->ends, clusters->corners.points.num);
+}
+
+static enum csg_hull_result evaluate_cells(const struct csg_part *part,
+                                           struct csg_clusters *clusters)
+{
+    struct evaluator evaluator = {.part = part};
+    bool ok = start(&evaluator);
+    for (size_t i = 0; i < part->tree.num && ok && evaluator.num_cells < max_cells; i++) {
+        while (ok && evaluator.frames.data[evaluator.frames.num - 1].end <= i)
+            ok = close_frame(&evaluator);
+        ok = ok && visit(&evaluator, &part->tree.data[i]);
+    }
+    while (ok && evaluator.frames.num > 1)
+        ok = close_frame(&evaluator);
+    for (size_t i = 0; ok && i < evaluator.frames.data[0].out.list.num; i++)
+        ok = add_cluster(clusters, &evaluator.frames.data[0].out.list.data[i]);
+    for (size_t i = 0; i < evaluator.frames.num; i++) {
+        finish_cells(&evaluator.frames.data[i].in);
+        finish_cells(&evaluator.frames.data[i].out);
+    }
+    free(evaluator.frames.data);
+    if (!ok)
+        return CSG_HULL_NO_MEMORY;
+    return evaluator.num_cells < max_cells ? CSG_HULL_DONE : CSG_HULL_FLAT;
+}
+
+/* A union of shapes needs no cutting. */
+static bool is_union(const struct csg_part *part)
+{
+    for (size_t i = 0; i < part->tree.num; i++) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op == CSG_LEAF ? node->negated : node->op == CSG_AND && node->end != i + 2)
+            return false;
+    }
+    return true;
+}
+
+enum csg_hull_result csg_part_evaluate(const struct csg_part *part, struct csg_clusters *clusters)
+{
+    enum csg_hull_result result = CSG_HULL_DONE;
+    if (!is_union(part))
+        return evaluate_cells(part, clusters);
+    for (size_t i = 0; i < part->tree.num && result == CSG_HULL_DONE; i++) {
+        if (part->tree.data[i].op != CSG_LEAF)
+            continue;
+        const size_t before = clusters->corners.points.num;
+        result = csg_shape_corners(&part->shapes.data[part->tree.data[i].leaf],
+                                   &clusters->corners);
+        if (result == CSG_HULL_DONE && clusters->corners.points.num > before &&
+            !csg_array_push(&clusters->ends, clusters->corners.points.num))
+            result = CSG_HULL_NO_MEMORY;
+    }
+    return result;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_POLYHEDRA_EVALUATE_H
+#define CSG_POLYHEDRA_EVALUATE_H
+
+/* Boolean trees of convex shapes without quadrics as unions of convex sets, each by its corners:
+ * what hull and minkowski work on. */
+
+#include "csg/part.h"
+#include "polyhedra/hull.h"
+
+/* Zero-initialise it. */
+struct csg_clusters {
+    struct csg_points corners;
+    CSG_ARRAY(size_t) ends; /* of each set's corners */
+};
+
+void csg_clusters_finish(struct csg_clusters *clusters);
+
+/* Appends the sets. CSG_HULL_FLAT: they would be too many. */
+enum csg_hull_result csg_part_evaluate(const struct csg_part *part, struct csg_clusters *clusters);
+
+#endif

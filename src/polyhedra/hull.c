@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+#include "polyhedra/hull.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "polyhedra/cell.h"
+
+/* Shapes of up to so many planes are cut out of a box, which takes the square of their number. */
+enum { max_cut_planes = 64 };
+
+#ifdef CSGCAST_QHULL
+
+#include <libqhull_r/libqhull_r.h>
+
+/* Called for each facet: its unit normal points outwards, dot(normal, x) + offset = 0 on it. */
+typedef bool facet_fn(void *user, const double normal[3], double offset);
+
+static bool visit_facets(qhT *qh, facet_fn *fn, void *user)
+{
+    const facetT *facet;
+    FORALLfacets {
+        if (!fn(user, facet->normal, facet->offset))
+            return false;
+    }
+    return true;
+}
+
+/* Qhull wants its own copy of the points and a file for its complaints, which nobody reads: what it
+ * refuses is flat. */
+static enum csg_hull_result run(const struct csg_points *points, facet_fn *fn, void *user)
+{
+    static char options[] = "qhull Qt Pp";
+    const size_t num = points->points.num;
+    enum csg_hull_result result = CSG_HULL_NO_MEMORY;
+    char *complaints = NULL;
+    size_t complaints_size = 0;
+    if (num < 4)
+        return CSG_HULL_FLAT;
+    coordT *coordinates = malloc(3 * num * sizeof *coordinates);
+    qhT *qh = calloc(1, sizeof *qh);
+    FILE *file = open_memstream(&complaints, &complaints_size);
+    for (size_t i = 0; i < num && coordinates; i++) {
+        coordinates[3 * i] = points->points.data[i].x;
+        coordinates[3 * i + 1] = points->points.data[i].y;
+        coordinates[3 * i + 2] = points->points.data[i].z;
+    }
+    if (coordinates && qh && file) {
+        int current, total;
+        qh_zero(qh, file);
+        const int error = qh_new_qhull(qh, 3, (int)num, coordinates, False, options, file, file);
+        if (error)
+            result = error == qh_ERRmem ? CSG_HULL_NO_MEMORY : CSG_HULL_FLAT;
+        else
+            result = visit_facets(qh, fn, user) ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
+        qh_freeqhull(qh, !qh_ALL);
+        qh_memfreeshort(qh, &current, &total);
+    }
+    if (file)
+        fclose(file);
+    free(complaints);
+    free(coordinates);
+    free(qh);
+    return result;
+}
+
+static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b, double near)
+{
+    const struct csg_vec3 d = csg_sub(a->normal, b->normal);
+    return csg_dot(d, d) < 1e-20 && fabs(a->offset - b->offset) <= near;
+}
+
+struct hull {
+    struct csg_shape *shape;
+    struct csg_vec3 center;
+    double near;
+};
+
+/* Relative to the middle of the points. Facets are triangles: those on one plane come in turn. */
+static bool add_facet(void *user, const double normal[3], double offset)
+{
+    const struct hull *hull = user;
+    struct csg_plane plane = {csg_vec3(normal[0], normal[1], normal[2]), 0};
+    plane.offset = -offset + csg_dot(plane.normal, hull->center);
+    for (size_t i = hull->shape->num_planes; i-- > 0;)
+        if (is_same_plane(&hull->shape->planes[i], &plane, hull->near))
+            return true;
+    return csg_shape_add_plane(hull->shape, plane.normal, plane.offset);
+}
+
+enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points)
+{
+    struct csg_points moved = {0};
+    struct csg_box box = csg_box_empty;
+    enum csg_hull_result result = CSG_HULL_DONE;
+    for (size_t i = 0; i < points->points.num; i++)
+        csg_box_extend(&box, points->points.data[i]);
+    const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
+    struct hull hull = {shape, center, 1e-11 * csg_length(csg_sub(box.hi, box.lo))};
+    for (size_t i = 0; i < points->points.num && result == CSG_HULL_DONE; i++)
+        if (!csg_array_push(&moved.points, csg_sub(points->points.data[i], center)))
+            result = CSG_HULL_NO_MEMORY;
+    if (result == CSG_HULL_DONE)
+        result = run(&moved, add_facet, &hull);
+    free(moved.points.data);
+    shape->convex = true;
+    shape->bounds = shape->written = box;
+    return result;
+}
+
+/* ---- corners ------------------------------------------------------------------------------ */
+
+struct dual {
+    struct csg_points *points;
+    struct csg_vec3 center;
+};
+
+/* A facet n.q = -offset of the dual points is the corner center - n / offset. */
+static bool add_dual(void *user, const double normal[3], double offset)
+{
+    struct dual *dual = user;
+    const struct csg_vec3 n = csg_vec3(normal[0], normal[1], normal[2]);
+    return csg_array_push(&dual->points->points, csg_sub(dual->center, csg_scale(1 / offset, n)));
+}
+
+/* Planes n.x = d, seen from a point inside, are dual to the points n / d, and their hull's facets
+ * to the corners. */
+static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct csg_points *points)
+{
+    const struct csg_vec3 middle =
+        csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi));
+    struct dual dual = {points, csg_map_point(&shape->frame, middle)};
+    struct csg_points normals = {0};
+    enum csg_hull_result result = CSG_HULL_DONE;
+    for (size_t i = 0; i < shape->num_planes && result == CSG_HULL_DONE; i++) {
+        const struct csg_plane *plane = &shape->planes[i];
+        const double d = plane->offset - csg_dot(plane->normal, dual.center);
+        if (!(d > 0))
+            result = CSG_HULL_FLAT; /* the middle is not inside */
+        else if (!csg_array_push(&normals.points, csg_scale(1 / d, plane->normal)))
+            result = CSG_HULL_NO_MEMORY;
+    }
+    if (result == CSG_HULL_DONE)
+        result = run(&normals, add_dual, &dual);
+    free(normals.points.data);
+    return result;
+}
+
+#else
+
+enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points)
+{
+    (void)shape;
+    (void)points;
+    return CSG_HULL_MISSING;
+}
+
+static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct csg_points *points)
+{
+    (void)shape;
+    (void)points;
+    return CSG_HULL_FLAT;
+}
+
+#endif
+
+static enum csg_hull_result cut_corners(const struct csg_shape *shape, struct csg_points *points)
+{
+    struct csg_cell cell = {0};
+    bool ok = csg_cell_from_shape(&cell, shape);
+    for (size_t i = 0; i < cell.faces.num && ok; i++)
+        for (size_t j = 0; j < cell.faces.data[i].points.num && ok; j++)
+            ok = csg_array_push(&points->points, cell.faces.data[i].points.data[j]);
+    csg_cell_finish(&cell);
+    return ok ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
+}
+
+enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg_points *points)
+{
+    if (shape->num_planes > max_cut_planes) {
+        const enum csg_hull_result result = dual_corners(shape, points);
+        if (result != CSG_HULL_FLAT)
+            return result;
+    }
+    return cut_corners(shape, points);
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_POLYHEDRA_HULL_H
+#define CSG_POLYHEDRA_HULL_H
+
+/* Convex hulls by Qhull (Barber, Dobkin, Huhdanpaa 1996), where it was there to build with. */
+
+#include "common/array.h"
+#include "solids/shape.h"
+
+struct csg_points {
+    CSG_ARRAY(struct csg_vec3) points;
+};
+
+enum csg_hull_result {
+    CSG_HULL_DONE,
+    CSG_HULL_FLAT,    /* the points lie in a plane: no volume */
+    CSG_HULL_MISSING, /* built without Qhull */
+    CSG_HULL_NO_MEMORY,
+};
+
+/* Adds the hull's planes to shape, which is zeroed, and sets its bounds. */
+enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points);
+
+/*
+ * Adds the corners of a convex shape without a quadric. A shape of many planes needs Qhull and is
+ * refused without it.
+ */
+enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg_points *points);
+
+#endif

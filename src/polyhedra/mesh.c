@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+#include "polyhedra/mesh.h"
+
+#include <stdlib.h>
+
+/* Points closer than this share of the largest coordinate are one. */
+#define SAME_POINT 1e-12
+
+/* Faces are plane when their corners are off by less than this share of the largest coordinate. */
+#define PLANE 1e-9
+
+#define PI 3.14159265358979323846264338327950288
+
+void csg_mesh_finish(struct csg_mesh *mesh)
+{
+    free(mesh->points.data);
+    free(mesh->corners.data);
+    free(mesh->faces.data);
+    *mesh = (struct csg_mesh){0};
+}
+
+bool csg_mesh_add_point(struct csg_mesh *mesh, struct csg_vec3 p)
+{
+    mesh->size = fmax(mesh->size, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    return csg_array_push(&mesh->points, p);
+}
+
+bool csg_mesh_close_face(struct csg_mesh *mesh)
+{
+    const uint32_t begin = mesh->faces.num ? mesh->faces.data[mesh->faces.num - 1].end : 0;
+    const struct csg_mesh_face face = {begin, (uint32_t)mesh->corners.num};
+    if (face.end - face.begin >= 3)
+        return csg_array_push(&mesh->faces, face);
+    mesh->corners.num = begin;
+    return true;
+}
+
+static struct csg_vec3 corner(const struct csg_mesh *mesh, uint32_t i)
+{
+    return mesh->points.data[mesh->corners.data[i]];
+}
+
+/* Newell's normal: twice the area vector. */
+bool csg_mesh_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *face,
+                    struct csg_plane *plane)
+{
+    const uint32_t num = face->end - face->begin;
+    const struct csg_vec3 origin = corner(mesh, face->begin);
+    struct csg_vec3 normal = {0, 0, 0}, center = {0, 0, 0};
+    double longest = 0;
+    for (uint32_t i = 0; i < num; i++) {
+        const struct csg_vec3 a = csg_sub(corner(mesh, face->begin + i), origin);
+        const struct csg_vec3 b = csg_sub(corner(mesh, face->begin + (i + 1) % num), origin);
+        normal = csg_add(normal, csg_cross(a, b));
+        center = csg_add(center, a);
+        longest = fmax(longest, csg_length(a));
+    }
+    center = csg_add(origin, csg_scale(1.0 / num, center));
+    if (!(csg_length(normal) > SAME_POINT * longest * fmax(longest, mesh->size)))
+        return false;
+    plane->normal = csg_normalize(normal);
+    plane->offset = csg_dot(plane->normal, center);
+    return true;
+}
+
+/* ---- cleaning ----------------------------------------------------------------------------- */
+
+struct sorted_point {
+    struct csg_vec3 p;
+    uint32_t index;
+};
+
+static int compare_points(const void *a, const void *b)
+{
+    const struct sorted_point *x = a, *y = b;
+    if (x->p.x != y->p.x)
+        return x->p.x < y->p.x ? -1 : 1;
+    return x->index < y->index ? -1 : x->index > y->index;
+}
+
+/* to[i]: the first point at the place of point i. */
+static void find_same(const struct csg_mesh *mesh, const struct sorted_point *sorted, uint32_t *to)
+{
+    const double near = SAME_POINT * mesh->size;
+    const size_t num = mesh->points.num;
+    for (size_t i = 0; i < num; i++)
+        to[i] = UINT32_MAX;
+    for (size_t i = 0; i < num; i++) {
+        if (to[sorted[i].index] != UINT32_MAX)
+            continue;
+        to[sorted[i].index] = sorted[i].index;
+        for (size_t j = i + 1; j < num && sorted[j].p.x - sorted[i].p.x <= near; j++)
+            if (to[sorted[j].index] == UINT32_MAX &&
+                csg_length(csg_sub(sorted[j].p, sorted[i].p)) <= near)
+                to[sorted[j].index] = sorted[i].index;
+    }
+}
+
+static bool join_points(struct csg_mesh *mesh)
+{
+    const size_t num = mesh->points.num;
+    struct sorted_point *sorted = malloc((num + 1) * sizeof *sorted);
+    uint32_t *to = malloc((num + 1) * sizeof *to);
+    const bool ok = sorted && to;
+    for (size_t i = 0; i < num && ok; i++)
+        sorted[i] = (struct sorted_point){mesh->points.data[i], (uint32_t)i};
+    if (ok && num) {
+        qsort(sorted, num, sizeof *sorted, compare_points);
+        find_same(mesh, sorted, to);
+        for (size_t i = 0; i < mesh->corners.num; i++)
+            mesh->corners.data[i] = to[mesh->corners.data[i]];
+    }
+    free(sorted);
+    free(to);
+    return ok;
+}
+
+static bool is_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *face)
+{
+    struct csg_plane plane;
+    const double near = PLANE * mesh->size + 2 * mesh->rounding;
+    bool plane_is = csg_mesh_plane(mesh, face, &plane);
+    for (uint32_t i = face->begin; i < face->end && plane_is; i++)
+        plane_is = fabs(csg_dot(plane.normal, corner(mesh, i)) - plane.offset) <= near;
+    return plane_is;
+}
+
+static bool add_corners(struct csg_mesh *mesh, const uint32_t *corners, uint32_t num)
+{
+    for (uint32_t i = 0; i < num; i++)
+        if (corners[i] != corners[(i + 1) % num] && !csg_array_push(&mesh->corners, corners[i]))
+            return false;
+    return csg_mesh_close_face(mesh);
+}
+
+/* A four-cornered face along its shorter diagonal, any other as a fan. */
+static bool add_triangles(struct csg_mesh *mesh, const uint32_t *corners, uint32_t num)
+{
+    const struct csg_vec3 *points = mesh->points.data;
+    const uint32_t first =
+        num == 4 && csg_length(csg_sub(points[corners[3]], points[corners[1]])) <
+                        csg_length(csg_sub(points[corners[2]], points[corners[0]]));
+    for (uint32_t i = 1; i + 1 < num; i++) {
+        const uint32_t triangle[3] = {corners[first], corners[(first + i) % num],
+                                      corners[(first + i + 1) % num]};
+        if (!add_corners(mesh, triangle, 3))
+            return false;
+    }
+    return true;
+}
+
+bool csg_mesh_clean(struct csg_mesh *mesh)
+{
+    struct csg_mesh clean = {.size = mesh->size, .rounding = mesh->rounding};
+    bool ok = join_points(mesh);
+    clean.points.data = mesh->points.data;
+    clean.points.num = mesh->points.num;
+    clean.points.capacity = mesh->points.capacity;
+    for (size_t i = 0; i < mesh->faces.num && ok; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        const uint32_t *corners = &mesh->corners.data[face->begin];
+        const uint32_t num = face->end - face->begin;
+        ok = num == 3 || is_plane(mesh, face) ? add_corners(&clean, corners, num)
+                                              : add_triangles(&clean, corners, num);
+    }
+    free(mesh->corners.data);
+    free(mesh->faces.data);
+    *mesh = clean;
+    return ok;
+}
+
+/* ---- gaps --------------------------------------------------------------------------------- */
+
+struct edge {
+    uint32_t low, high;
+    int8_t direction;
+};
+
+static int compare_edges(const void *a, const void *b)
+{
+    const struct edge *x = a, *y = b;
+    if (x->low != y->low)
+        return x->low < y->low ? -1 : 1;
+    return x->high < y->high ? -1 : x->high > y->high;
+}
+
+static size_t list_edges(const struct csg_mesh *mesh, struct edge *edges)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < mesh->faces.num; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        for (uint32_t j = face->begin; j < face->end; j++) {
+            const uint32_t a = mesh->corners.data[j];
+            const uint32_t b = mesh->corners.data[j + 1 < face->end ? j + 1 : face->begin];
+            edges[num++] = a < b ? (struct edge){a, b, 1} : (struct edge){b, a, -1};
+        }
+    }
+    return num;
+}
+
+bool csg_mesh_find_gap(const struct csg_mesh *mesh, uint32_t points[2], bool *out_of_memory)
+{
+    struct edge *edges = malloc((mesh->corners.num + 1) * sizeof *edges);
+    bool found = false;
+    *out_of_memory = edges == NULL;
+    if (!edges)
+        return false;
+    const size_t num = list_edges(mesh, edges);
+    if (num)
+        qsort(edges, num, sizeof *edges, compare_edges);
+    for (size_t i = 0; i < num && !found;) {
+        int sum = 0;
+        size_t j = i;
+        for (; j < num && compare_edges(&edges[i], &edges[j]) == 0; j++)
+            sum += edges[j].direction;
+        found = sum != 0;
+        points[0] = edges[i].low;
+        points[1] = edges[i].high;
+        i = j;
+    }
+    free(edges);
+    return found;
+}
+
+/* ---- winding ------------------------------------------------------------------------------ */
+
+/* Twice the tangent's angle is the solid angle of the triangle (Van Oosterom and Strackee 1983). */
+static double solid_angle(struct csg_vec3 a, struct csg_vec3 b, struct csg_vec3 c)
+{
+    const double x = csg_length(a), y = csg_length(b), z = csg_length(c);
+    const double numerator = csg_dot(a, csg_cross(b, c));
+    const double denominator =
+        x * y * z + csg_dot(a, b) * z + csg_dot(b, c) * x + csg_dot(c, a) * y;
+    return 2 * atan2(numerator, denominator);
+}
+
+double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->faces.num; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        const struct csg_vec3 a = csg_sub(corner(mesh, face->begin), p);
+        for (uint32_t j = face->begin + 1; j + 1 < face->end; j++)
+            sum += solid_angle(a, csg_sub(corner(mesh, j), p), csg_sub(corner(mesh, j + 1), p));
+    }
+    return sum / (4 * PI);
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_POLYHEDRA_MESH_H
+#define CSG_POLYHEDRA_MESH_H
+
+/* Polyhedra by their corners and faces, and their way to convex solids. */
+
+#include <stdint.h>
+
+#include "csg/part.h"
+
+struct csg_mesh_face {
+    uint32_t begin, end; /* of its corners in struct csg_mesh */
+};
+
+/* Zero-initialise it. Faces may be non-planar and of either orientation. */
+struct csg_mesh {
+    CSG_ARRAY(struct csg_vec3) points;
+    CSG_ARRAY(uint32_t) corners; /* indices of points */
+    CSG_ARRAY(struct csg_mesh_face) faces;
+    double size;     /* the largest coordinate */
+    double rounding; /* see struct csg_shape */
+};
+
+void csg_mesh_finish(struct csg_mesh *mesh);
+
+bool csg_mesh_add_point(struct csg_mesh *mesh, struct csg_vec3 p);
+
+/* The corners added behind the last face become a face, unless they are fewer than three. */
+bool csg_mesh_close_face(struct csg_mesh *mesh);
+
+/* Joins points at the same place, drops corners that follow each other at one point and splits faces
+ * that are not plane. false: out of memory. */
+bool csg_mesh_clean(struct csg_mesh *mesh);
+
+/* The face's plane, its normal to the side from which its corners run counter-clockwise. false: the
+ * face has no area. */
+bool csg_mesh_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *face,
+                    struct csg_plane *plane);
+
+/* An edge that does not belong to two faces, in opposite directions; false when there is none. */
+bool csg_mesh_find_gap(const struct csg_mesh *mesh, uint32_t points[2], bool *out_of_memory);
+
+/* Times that the surface goes round p. */
+double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);
+
+enum csg_mesh_result {
+    CSG_MESH_DONE,
+    CSG_MESH_TOO_LARGE, /* it is not convex and has too many faces */
+    CSG_MESH_NO_MEMORY,
+};
+
+/* More faces than that are only taken where the polyhedron is convex. */
+#define CSG_MESH_MAX_FACES 2000
+
+/* Adds the union of convex solids that the mesh is. A flat mesh adds nothing. */
+enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_part *part);
+
+#endif

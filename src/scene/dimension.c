@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * OpenSCAD does not mix two and three dimensions: among the children of a node the first one decides
+ * and those that differ are dropped with a warning. Here the outermost union takes the solids
+ * wherever there are some.
+ */
+#include "scene/walk.h"
+
+static bool is_off(const struct csg_builder *builder, uint32_t node)
+{
+    return (builder->document->nodes.data[node].modifiers &
+            (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) != 0;
+}
+
+/* Roles that say nothing themselves take the dimension of the first child that has one. */
+static void find_dimensions(struct csg_builder *builder)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    for (uint32_t i = builder->end; i-- > builder->begin;) {
+        struct csg_meaning *meaning = &builder->meanings[i];
+        for (uint32_t child = i + 1; child < nodes[i].end && meaning->dimension == 0;
+             child = nodes[child].end)
+            if (!is_off(builder, child))
+                meaning->dimension = builder->meanings[child].dimension;
+    }
+}
+
+static void check_child(struct csg_builder *builder, uint32_t child, uint8_t wanted)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[child];
+    struct csg_meaning *meaning = &builder->meanings[child];
+    if (meaning->dimension == 0 || meaning->dimension == wanted || wanted == 0)
+        return;
+    meaning->is_misplaced = true;
+    if (is_off(builder, child) || meaning->role == CSG_ROLE_UNKNOWN ||
+        meaning->role == CSG_ROLE_UNSUPPORTED)
+        return;
+    csg_report_warning(builder->report, CSGCAST_MESSAGE_SCENE, parsed->place,
+                       wanted == 3 ? "%.*s is two-dimensional among solids; it is left out"
+                                   : "%.*s is a solid in a two-dimensional drawing; it is left out",
+                       (int)parsed->name_length, builder->document->text + parsed->at);
+}
+
+/* What the children of a node must be. */
+static uint8_t wanted_below(const struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
+    const struct csg_meaning *meaning = &builder->meanings[node];
+    const struct csg_node_ops *ops =
+        csg_node_find(builder->document->text + parsed->at, parsed->name_length);
+    return ops && ops->wants ? ops->wants : meaning->dimension;
+}
+
+static void check_nodes(struct csg_builder *builder)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    for (uint32_t i = builder->begin; i < builder->end;) {
+        const struct csg_meaning *meaning = &builder->meanings[i];
+        if (meaning->is_misplaced || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
+            meaning->role == CSG_ROLE_UNKNOWN || meaning->role == CSG_ROLE_UNSUPPORTED) {
+            i = nodes[i].end;
+            continue;
+        }
+        const uint8_t wanted = wanted_below(builder, i);
+        for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end)
+            check_child(builder, child, wanted);
+        i++;
+    }
+}
+
+/* A drawing by itself is not supported yet. */
+static void report_flat(struct csg_builder *builder, uint32_t node)
+{
+    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
+    const bool skip = builder->skip_unsupported;
+    builder->meanings[node].is_misplaced = true;
+    csg_report_print(builder->report, skip ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
+                     CSGCAST_MESSAGE_UNSUPPORTED, parsed->place,
+                     "%.*s is two-dimensional; only what linear_extrude or rotate_extrude makes "
+                     "of it can be drawn%s",
+                     (int)parsed->name_length, builder->document->text + parsed->at,
+                     skip ? "; left out" : "");
+}
+
+static void check_roots(struct csg_builder *builder)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    bool has_solid = false;
+    for (uint32_t i = builder->begin; i < builder->end; i = nodes[i].end)
+        has_solid |= !is_off(builder, i) && builder->meanings[i].dimension == 3;
+    for (uint32_t i = builder->begin; i < builder->end; i = nodes[i].end) {
+        const struct csg_meaning *meaning = &builder->meanings[i];
+        if (meaning->dimension != 2 || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
+            meaning->role == CSG_ROLE_UNSUPPORTED)
+            continue;
+        if (has_solid || is_off(builder, i))
+            check_child(builder, i, 3);
+        else
+            report_flat(builder, i);
+    }
+}
+
+bool csg_build_dimensions(struct csg_builder *builder)
+{
+    find_dimensions(builder);
+    check_roots(builder);
+    check_nodes(builder);
+    return true;
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_DRAWINGS_H
+#define CSG_SCENE_DRAWINGS_H
+
+/* From the nodes below an extrusion to a drawing. */
+
+#include "plane/drawing.h"
+#include "scene/walk.h"
+
+/*
+ * The union of what is below node, in the space of node. What is three-dimensional is left out with
+ * a warning. in_boolean: see struct csg_space. false, with a message, when memory is out.
+ */
+bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                      struct csg_drawing *drawing);
+
+#endif

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_FIGURES_H
+#define CSG_SCENE_FIGURES_H
+
+/* square, circle and polygon: each reads its arguments and adds its figure to a drawing, or an
+ * empty union where it is empty. false, with a message, when memory is out. */
+
+#include "plane/drawing.h"
+#include "scene/nodes.h"
+
+bool csg_figure_square(const struct csg_args *args, const struct csg_space *space,
+                       struct csg_drawing *drawing);
+bool csg_figure_circle(const struct csg_args *args, const struct csg_space *space,
+                       struct csg_drawing *drawing);
+bool csg_figure_polygon(const struct csg_args *args, const struct csg_space *space,
+                        struct csg_drawing *drawing);
+
+#endif

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_FLATTEN_H
+#define CSG_SCENE_FLATTEN_H
+
+/* Nodes that make a new drawing of the one in them; each is the flatten of a csg_node_ops. */
+
+#include "plane/drawing.h"
+#include "scene/walk.h"
+
+bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                      struct csg_drawing *drawing, uint32_t draw);
+bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        struct csg_drawing *drawing, uint32_t draw);
+
+#endif

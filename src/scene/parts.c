@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/parts.h"
+
+#include <stdlib.h>
+
+/* A node whose children are being read. */
+struct frame {
+    uint32_t end;
+    uint8_t role;
+    bool negated;
+    uint32_t num_operands;
+    struct csg_space space;
+};
+
+struct reader {
+    struct csg_walk *walk;
+    struct csg_part *part;
+    CSG_ARRAY(struct frame) frames;
+};
+
+static struct frame *top_of(struct reader *reader)
+{
+    return &reader->frames.data[reader->frames.num - 1];
+}
+
+static bool no_memory(const struct reader *reader)
+{
+    return csg_log_memory(&reader->walk->builder->report->log);
+}
+
+/* Whether the next operand of the innermost open node is complemented; counts it. */
+static bool take_operand(struct reader *reader)
+{
+    struct frame *top = top_of(reader);
+    const bool is_subtracted = top->role == CSG_ROLE_DIFFERENCE && top->num_operands > 0;
+    top->num_operands++;
+    return top->negated != is_subtracted;
+}
+
+static bool add_empty(struct reader *reader, bool negated)
+{
+    if (!csg_part_open(reader->part, negated))
+        return no_memory(reader);
+    csg_part_close(reader->part);
+    return true;
+}
+
+/* An intersection without operands is empty. */
+static void close_frame(struct reader *reader)
+{
+    const struct frame *top = top_of(reader);
+    struct csg_part *part = reader->part;
+    struct csg_node *node = &part->tree.data[part->open.data[part->open.num - 1]];
+    if (top->num_operands == 0)
+        node->op = top->negated ? CSG_AND : CSG_OR;
+    csg_part_close(part);
+    reader->frames.num--;
+}
+
+static bool open_frame(struct reader *reader, uint32_t node)
+{
+    const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
+    const bool negated = take_operand(reader);
+    struct frame frame = *top_of(reader);
+    struct csg_args args;
+    frame.end = csg_walk_node(reader->walk, node)->end;
+    frame.role = reader->walk->builder->meanings[node].role;
+    frame.negated = negated;
+    frame.num_operands = 0;
+    frame.space.in_boolean |= csg_walk_is_boolean(reader->walk, node);
+    if (!csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args))
+        return false;
+    if (ops->enter)
+        ops->enter(&args, &frame.space);
+    const bool is_union = frame.role == CSG_ROLE_UNION;
+    return (csg_part_open(reader->part, is_union == negated) &&
+            csg_array_push(&reader->frames, frame)) ||
+           no_memory(reader);
+}
+
+static bool read_solid(struct reader *reader, uint32_t node)
+{
+    const struct csg_solid_ops *ops = csg_solids[reader->walk->builder->meanings[node].kind];
+    const bool negated = take_operand(reader);
+    struct csg_shape shape = {.frame = csg_map_identity};
+    struct csg_args args;
+    if (!csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args))
+        return false;
+    const enum csg_read_result result = ops->read(&args, &shape);
+    const bool is_placed =
+        result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape);
+    const bool is_bounded = csg_box_is_finite(&shape.bounds) && !shape.has_quadric;
+    if (is_placed && !is_bounded)
+        csg_walk_unsupported(reader->walk, node,
+                             "%s inside of hull or minkowski is not supported yet", ops->name);
+    if (is_placed && is_bounded)
+        return csg_part_add(reader->part, &shape, negated) || no_memory(reader);
+    csg_shape_finish(&shape);
+    return add_empty(reader, negated);
+}
+
+static bool place_part(struct reader *reader, struct csg_part *part)
+{
+    for (size_t i = 0; i < part->shapes.num; i++)
+        if (!csg_space_place(&top_of(reader)->space, &part->shapes.data[i]))
+            return false;
+    return true;
+}
+
+static bool read_compound(struct reader *reader, uint32_t node)
+{
+    struct csg_walk *walk = reader->walk;
+    const struct csg_node_ops *ops = csg_walk_ops(walk, node);
+    const bool negated = take_operand(reader);
+    struct csg_part inner = {0};
+    struct csg_args args;
+    if (walk->depth >= CSG_PARTS_MAX_DEPTH) {
+        csg_walk_unsupported(walk, node, "%s: more than %d of its kind inside of each other",
+                             ops->name, CSG_PARTS_MAX_DEPTH);
+        return add_empty(reader, negated);
+    }
+    walk->depth++;
+    bool ok = csg_walk_args(walk, node, ops->name, ops->parameters, &args) &&
+              ops->compound(walk, node, &args, top_of(reader)->space.in_boolean, &inner);
+    walk->depth--;
+    if (ok && inner.tree.num > 0 && place_part(reader, &inner))
+        return csg_part_append(reader->part, &inner, negated) || no_memory(reader);
+    csg_part_finish(&inner);
+    return ok && add_empty(reader, negated);
+}
+
+static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
+{
+    const struct csg_parsed_node *parsed = csg_walk_node(reader->walk, node);
+    const struct csg_meaning *meaning = &reader->walk->builder->meanings[node];
+    *next = parsed->end;
+    if (csg_is_left_out(reader->walk->builder, node))
+        return true;
+    if (parsed->malformed)
+        return add_empty(reader, take_operand(reader));
+    if (meaning->role == CSG_ROLE_SOLID)
+        return read_solid(reader, node);
+    if (meaning->role == CSG_ROLE_COMPOUND)
+        return read_compound(reader, node);
+    if (!csg_has_children(meaning))
+        return add_empty(reader, take_operand(reader));
+    *next = node + 1;
+    return open_frame(reader, node);
+}
+
+static bool read_nodes(struct reader *reader, uint32_t begin, uint32_t end)
+{
+    bool ok = true;
+    for (uint32_t i = begin; ok && i < end && !reader->part->is_too_large;) {
+        while (top_of(reader)->end <= i)
+            close_frame(reader);
+        ok = visit(reader, i, &i);
+    }
+    while (reader->frames.num > 0)
+        close_frame(reader);
+    return ok;
+}
+
+bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
+                   struct csg_part *part)
+{
+    struct reader reader = {.walk = walk, .part = part};
+    struct frame root = {.end = end, .role = CSG_ROLE_UNION, .space = csg_space_world};
+    const enum csgcast_facets facets = walk->builder->facets;
+    root.space.in_boolean = in_boolean;
+    walk->builder->facets = CSGCAST_FACETS_AS_WRITTEN;
+    const bool ok =
+        csg_part_open(part, false) && csg_array_push(&reader.frames, root)
+            ? read_nodes(&reader, begin, end)
+            : no_memory(&reader);
+    walk->builder->facets = facets;
+    free(reader.frames.data);
+    return ok;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * polyhedron(points, faces), also with triangles for faces, as in OpenSCAD.
+ */
+#include "scene/polyhedron.h"
+
+#include "polyhedra/mesh.h"
+#include "scene/compounds.h"
+
+static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
+{
+    const struct csg_value *points = csg_args_find(args, "points");
+    bool ok = true;
+    for (size_t i = 0; points && points->type == CSG_VALUE_VECTOR && i < points->num && ok; i++) {
+        const struct csg_value *point = &points->items[i];
+        double p[3], rounding = 0;
+        if (!csg_value_numbers(point, 3, p, &rounding) || !isfinite(p[0] + p[1] + p[2])) {
+            csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE,
+                            "%s:%u:%u: polyhedron: a point must be [x, y, z] with finite numbers; "
+                            "the polyhedron is empty",
+                            args->file, (unsigned)point->line, (unsigned)point->column);
+            mesh->points.num = 0;
+            return true;
+        }
+        mesh->rounding = fmax(mesh->rounding, rounding);
+        ok = csg_mesh_add_point(mesh, csg_vec3(p[0], p[1], p[2]));
+    }
+    return ok;
+}
+
+/* Indices that no point has are left out, as in OpenSCAD. */
+static bool read_face(const struct csg_args *args, const struct csg_value *face,
+                      struct csg_mesh *mesh)
+{
+    bool ok = true;
+    for (size_t i = 0; face->type == CSG_VALUE_VECTOR && i < face->num && ok; i++) {
+        const struct csg_value *index = &face->items[i];
+        if (index->type == CSG_VALUE_NUMBER && index->number >= 0 &&
+            index->number < (double)mesh->points.num)
+            ok = csg_array_push(&mesh->corners, (uint32_t)index->number);
+        else
+            csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE,
+                            "%s:%u:%u: polyhedron: a face has an index that no point has; it is "
+                            "left out",
+                            args->file, (unsigned)index->line, (unsigned)index->column);
+    }
+    return ok && csg_mesh_close_face(mesh);
+}
+
+bool csg_polyhedron_read(const struct csg_args *args, struct csg_mesh *mesh)
+{
+    const struct csg_value *faces = csg_args_find(args, "faces");
+    bool ok = read_points(args, mesh);
+    if (!faces)
+        faces = csg_args_find(args, "triangles");
+    for (size_t i = 0; faces && faces->type == CSG_VALUE_VECTOR && i < faces->num && ok; i++)
+        ok = mesh->points.num == 0 || read_face(args, &faces->items[i], mesh);
+    return (ok && csg_mesh_clean(mesh)) || csg_log_memory(args->log);
+}
+
+static bool warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh)
+{
+    uint32_t edge[2];
+    bool out_of_memory;
+    if (csg_mesh_find_gap(mesh, edge, &out_of_memory))
+        csg_walk_warning(walk, node,
+                         "not closed: the edge from point %u to point %u does not belong to two "
+                         "faces in opposite directions; the picture may be wrong",
+                         (unsigned)edge[0], (unsigned)edge[1]);
+    return !out_of_memory || csg_log_memory(&walk->builder->report->log);
+}
+
+bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                             bool in_boolean, struct csg_part *part)
+{
+    struct csg_mesh mesh = {0};
+    enum csg_mesh_result result = CSG_MESH_DONE;
+    (void)in_boolean;
+    bool ok = csg_polyhedron_read(args, &mesh);
+    if (ok && mesh.faces.num > 0) {
+        ok = warn_of_gaps(walk, node, &mesh);
+        result = csg_mesh_decompose(&mesh, part);
+    }
+    if (result == CSG_MESH_TOO_LARGE)
+        csg_walk_unsupported(walk, node,
+                             "polyhedron: %zu faces that are not convex; more than %d are not "
+                             "supported yet",
+                             mesh.faces.num, CSG_MESH_MAX_FACES);
+    csg_mesh_finish(&mesh);
+    return ok && (result != CSG_MESH_NO_MEMORY || csg_log_memory(&walk->builder->report->log));
+}

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * rotate_extrude(angle, start, $fn, $fa, $fs) as OpenSCAD 2021.01 and 2025 write it. The profile is
+ * a polygon, with OpenSCAD's facets for circles; the turn is exact.
+ */
+#include "plane/revolve.h"
+#include "scene/compounds.h"
+#include "scene/drawings.h"
+#include "solids/facets.h"
+
+/* Turns with more segments are refused in as-written mode. */
+enum { max_segments = 65536 };
+
+struct revolution {
+    struct csg_turn turn;
+    struct csg_facets facets;
+    bool has_file;
+};
+
+/* OpenSCAD turns all round for an angle outside of (-360, 360], and starts on -x then. */
+static void read_revolution(const struct csg_args *args, struct revolution *to)
+{
+    const struct csg_value *file = csg_args_find(args, "file");
+    double angle = csg_args_number(args, "angle", 360, NULL);
+    if (!(angle > -360 && angle <= 360))
+        angle = 360;
+    to->turn.angle = angle;
+    to->turn.start = csg_args_number(args, "start", angle >= 360 ? 180 : 0, NULL);
+    if (!isfinite(to->turn.start))
+        to->turn.start = 0;
+    to->facets = csg_args_facets(args);
+    to->turn.facetted = csg_facets_wanted(args, &to->facets);
+    to->has_file = file && file->type == CSG_VALUE_STRING && file->num > 0;
+}
+
+/* Segments of the turn: those of a circle as large as the profile. */
+static int count_segments(const struct revolution *revolution, const struct csg_profile *profile)
+{
+    const double radius = fmax(profile->hi, 0) - fmin(profile->lo, 0);
+    const int all_round = csg_facets_count(&revolution->facets, radius);
+    const double num = ceil(fmax(all_round * fabs(revolution->turn.angle) / 360, 1));
+    return num < max_segments ? (int)num : max_segments;
+}
+
+static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
+                    const struct csg_profile *profile, double rounding, struct csg_part *part)
+{
+    if (profile->lo < -profile->snap && profile->hi > profile->snap) {
+        csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
+                         csg_walk_node(walk, node)->place,
+                         "rotate_extrude: the profile must lie on one side of the axis, but its x "
+                         "reaches from %g to %g",
+                         profile->lo, profile->hi);
+        return true;
+    }
+    if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
+        return true;
+    revolution->turn.num = count_segments(revolution, profile);
+    return csg_revolve(part, profile, &revolution->turn, rounding) ||
+           csg_log_memory(&walk->builder->report->log);
+}
+
+bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                                 bool in_boolean, struct csg_part *part)
+{
+    struct revolution revolution = {0};
+    struct csg_drawing drawing = {0};
+    struct csg_profile profile = {0};
+    read_revolution(args, &revolution);
+    if (revolution.has_file)
+        return csg_walk_unsupported(walk, node, "rotate_extrude of a file is not supported yet"),
+               true;
+    if (revolution.turn.angle == 0)
+        return true;
+    bool ok = csg_drawing_read(walk, node, in_boolean, &drawing);
+    if (ok) {
+        const enum csg_sweep_result result = csg_profile_init(&profile, &drawing);
+        const double rounding = csg_drawing_rounding(&drawing, 0, (uint32_t)drawing.nodes.num);
+        part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
+        if (result == CSG_SWEEP_DONE)
+            ok = revolve(walk, node, &revolution, &profile, rounding, part);
+        else
+            ok = result == CSG_SWEEP_TOO_LARGE || csg_log_memory(&walk->builder->report->log);
+    }
+    csg_profile_finish(&profile);
+    csg_drawing_finish(&drawing);
+    return ok;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_WALK_H
+#define CSG_SCENE_WALK_H
+
+/* What the walk over the nodes that makes the leaves hands to those who read single nodes. */
+
+#include "scene/build.h"
+
+struct csg_walk {
+    struct csg_builder *builder;
+    struct csg_arguments arguments; /* of the node at hand */
+    int depth;                      /* of compounds inside of compounds */
+};
+
+static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk *walk,
+                                                          uint32_t node)
+{
+    return &walk->builder->document->nodes.data[node];
+}
+
+/* The row of a node's name in the table of nodes; NULL when there is none. */
+const struct csg_node_ops *csg_walk_ops(const struct csg_walk *walk, uint32_t node);
+
+/* The arguments of a node, valid until the next call. false, with a message, when memory is out. */
+bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const char *parameters,
+                   struct csg_args *args);
+
+/* Says that the node, which has that name, uses what this version lacks: an error, or a warning
+ * with --skip-unsupported. The node is then left out. */
+void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
+    CSG_PRINTF(3, 4);
+
+/* "file:line:column: node: text" */
+void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
+    CSG_PRINTF(3, 4);
+/* From a node's own space into that space, its rounding as well. false: nothing is left there. */
+bool csg_space_place(const struct csg_space *space, struct csg_shape *shape);
+
+/* Whether the node is a difference or intersection that has something to do. */
+bool csg_walk_is_boolean(const struct csg_walk *walk, uint32_t node);
+
+#endif

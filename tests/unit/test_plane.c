@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Drawings: what the sweep, the convex pieces and the outline cover must be what point membership
+ * and the shoelace formula say. Random polygons cross and touch themselves, have corners twice and
+ * edges upon each other.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "plane/hull.h"
+#include "plane/offset.h"
+#include "plane/outline.h"
+#include "plane/piece.h"
+
+static int num_failed;
+
+#define CHECK(condition, ...)                                                                      \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            num_failed++;                                                                          \
+            fprintf(stderr, "%s:%d: %s: ", __FILE__, __LINE__, #condition);                        \
+            fprintf(stderr, __VA_ARGS__);                                                          \
+            fputc('\n', stderr);                                                                   \
+        }                                                                                          \
+    } while (0)
+
+static unsigned long long state = 42;
+
+static double random_unit(void)
+{
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+static int random_int(int end)
+{
+    return (int)(random_unit() * end);
+}
+
+/* ---- the rule ----------------------------------------------------------------------------- */
+
+/* Crossings of the ray from p to the right, even or odd. */
+static bool in_figure(const struct csg_drawing *drawing, const struct csg_figure *figure, double x,
+                      double y)
+{
+    bool inside = false;
+    for (uint32_t c = figure->begin; c < figure->end; c++) {
+        const struct csg_contour contour = drawing->contours.data[c];
+        for (uint32_t i = contour.begin; i < contour.end; i++) {
+            const struct csg_vec2 a = drawing->points.data[i];
+            const struct csg_vec2 b =
+                drawing->points.data[i + 1 < contour.end ? i + 1 : contour.begin];
+            if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/* Trees here are a few levels deep. */
+static bool in_node(const struct csg_drawing *drawing, uint32_t node, double x, double y)
+{
+    const struct csg_draw_node *at = &drawing->nodes.data[node];
+    if (at->op == CSG_DRAW_FIGURE)
+        return in_figure(drawing, &drawing->figures.data[at->figure], x, y);
+    bool any = false, all = at->end > node + 1, first = false, others = false;
+    for (uint32_t child = node + 1; child < at->end; child = drawing->nodes.data[child].end) {
+        const bool inside = in_node(drawing, child, x, y);
+        any |= inside;
+        all &= inside;
+        if (child == node + 1)
+            first = inside;
+        else
+            others |= inside;
+    }
+    if (at->op == CSG_DRAW_UNION)
+        return any;
+    return at->op == CSG_DRAW_INTERSECTION ? all : first && !others;
+}
+
+static int count_pieces(const struct csg_pieces *pieces, double x, double y)
+{
+    int num = 0;
+    for (size_t i = 0; i < pieces->pieces.num; i++) {
+        const struct csg_piece *piece = &pieces->pieces.data[i];
+        bool inside = true;
+        for (uint32_t k = 0; k < piece->num_lines; k++) {
+            const struct csg_line *line = &pieces->lines.data[piece->first_line + k];
+            inside &= line->normal.x * x + line->normal.y * y <= line->offset;
+        }
+        num += inside;
+    }
+    return num;
+}
+
+static double outline_area(const struct csg_drawing *drawing)
+{
+    const struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[0].figure];
+    double sum = 0;
+    for (uint32_t c = figure->begin; c < figure->end; c++) {
+        const struct csg_contour contour = drawing->contours.data[c];
+        for (uint32_t i = contour.begin; i < contour.end; i++) {
+            const struct csg_vec2 a = drawing->points.data[i];
+            const struct csg_vec2 b =
+                drawing->points.data[i + 1 < contour.end ? i + 1 : contour.begin];
+            sum += 0.5 * (a.x * b.y - a.y * b.x);
+        }
+    }
+    return sum;
+}
+
+/* ---- drawings ----------------------------------------------------------------------------- */
+
+static void add_polygon(struct csg_drawing *drawing, int num, bool on_grid)
+{
+    if (!csg_drawing_add_figure(drawing, 0))
+        abort();
+    for (int contours = 1 + random_int(3); contours > 0; contours--) {
+        if (!csg_drawing_add_contour(drawing))
+            abort();
+        for (int i = 0; i < num; i++) {
+            const double x = 20 * random_unit() - 10, y = 20 * random_unit() - 10;
+            if (!csg_drawing_add_point(drawing, on_grid ? floor(x) : x, on_grid ? floor(y) : y))
+                abort();
+        }
+    }
+}
+
+static void add_random(struct csg_drawing *drawing, int depth, bool on_grid)
+{
+    const uint32_t node = (uint32_t)drawing->nodes.num;
+    if (depth == 0 || random_int(3) == 0) {
+        add_polygon(drawing, 3 + random_int(9), on_grid);
+        return;
+    }
+    if (!csg_drawing_open(drawing, (enum csg_draw_op)random_int(3)))
+        abort();
+    for (int i = random_int(4); i >= 0; i--)
+        add_random(drawing, depth - 1, on_grid);
+    csg_drawing_close(drawing, node);
+}
+
+/* Every point off the edges is in exactly one piece, or in none. */
+static void check_drawing(struct csg_drawing *drawing, int seed)
+{
+    struct csg_pieces pieces = {0};
+    int num_inside = 0, num_wrong = 0;
+    const int num = 400;
+    CHECK(csg_pieces_cut(&pieces, drawing, 0) == CSG_SWEEP_DONE, "seed %d", seed);
+    double xs[400], ys[400];
+    bool inside[400];
+    for (int i = 0; i < num; i++) {
+        xs[i] = 22 * random_unit() - 11;
+        ys[i] = 22 * random_unit() - 11;
+        inside[i] = in_node(drawing, 0, xs[i], ys[i]);
+        num_inside += inside[i];
+        num_wrong += count_pieces(&pieces, xs[i], ys[i]) != (inside[i] ? 1 : 0);
+    }
+    CHECK(num_wrong == 0, "seed %d: %d of %d points", seed, num_wrong, num);
+    csg_pieces_finish(&pieces);
+    CHECK(csg_drawing_evaluate(drawing, 0) == CSG_SWEEP_DONE, "seed %d", seed);
+    CHECK(drawing->nodes.num == 1, "seed %d", seed);
+    for (int i = 0; i < num; i++)
+        num_wrong += in_node(drawing, 0, xs[i], ys[i]) != inside[i];
+    CHECK(num_wrong == 0, "seed %d: the outline misses %d of %d points", seed, num_wrong, num);
+    /* 400 samples are good to about a tenth of the square: the orientation must be right. */
+    const double area = outline_area(drawing), sampled = 22.0 * 22.0 * num_inside / num;
+    CHECK(fabs(area - sampled) < 0.1 * 22 * 22, "seed %d: area %g, sampled %g", seed, area, sampled);
+}
+
+static void test_random(void)
+{
+    for (int seed = 0; seed < 120; seed++) {
+        struct csg_drawing drawing = {0};
+        state = 1000 + (unsigned long long)seed;
+        add_random(&drawing, 3, seed % 2 == 0);
+        check_drawing(&drawing, seed);
+        csg_drawing_finish(&drawing);
+    }
+}
+
+/* ---- shapes with known answers ------------------------------------------------------------ */
+
+static void add_points(struct csg_drawing *drawing, const double (*points)[2], int num)
+{
+    if (drawing->figures.num == 0 && !csg_drawing_add_figure(drawing, 0))
+        abort();
+    if (!csg_drawing_add_contour(drawing))
+        abort();
+    for (int i = 0; i < num; i++)
+        if (!csg_drawing_add_point(drawing, points[i][0], points[i][1]))
+            abort();
+}
+
+static void check_pieces(const double (*points)[2], int num, size_t num_pieces, const char *name)
+{
+    struct csg_drawing drawing = {0};
+    struct csg_pieces pieces = {0};
+    add_points(&drawing, points, num);
+    CHECK(csg_pieces_cut(&pieces, &drawing, 0) == CSG_SWEEP_DONE, "%s", name);
+    CHECK(pieces.pieces.num == num_pieces, "%s: %zu pieces", name, pieces.pieces.num);
+    csg_pieces_finish(&pieces);
+    csg_drawing_finish(&drawing);
+}
+
+static void test_pieces(void)
+{
+    static const double square[][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    static const double collinear[][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 1},
+                                          {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    static const double flat[][2] = {{0, 0}, {1, 1}, {2, 2}};
+    static const double spike[][2] = {{0, 0}, {2, 0}, {2, 2}, {5, 5}, {2, 2}, {0, 2}};
+    static const double bow[][2] = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+    static const double corner[][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    double round[90][2];
+    for (int i = 0; i < 90; i++) {
+        round[i][0] = 3 * cos(i * 0.069813170079773184);
+        round[i][1] = 3 * sin(i * 0.069813170079773184);
+    }
+    check_pieces(square, 4, 1, "square");
+    check_pieces(collinear, 9, 1, "collinear corners");
+    check_pieces(flat, 3, 0, "flat");
+    check_pieces(spike, 6, 1, "spike");
+    check_pieces(bow, 4, 2, "bow");
+    check_pieces(corner, 6, 2, "corner");
+    check_pieces((const double(*)[2])round, 90, 1, "round");
+}
+
+static double offset_area(double distance, enum csg_join join)
+{
+    static const double square[][2] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    static const double hole[][2] = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
+    struct csg_drawing drawing = {0};
+    const struct csg_offset offset = {.distance = distance, .join = join, .num = 4000};
+    add_points(&drawing, square, 4);
+    add_points(&drawing, hole, 4);
+    CHECK(csg_drawing_offset(&drawing, 0, &offset) == CSG_SWEEP_DONE, "%g", distance);
+    const double area = outline_area(&drawing);
+    csg_drawing_finish(&drawing);
+    return area;
+}
+
+static void check_offset(double distance, enum csg_join join, double expected)
+{
+    const double area = offset_area(distance, join);
+    CHECK(fabs(area - expected) < 1e-4, "offset %g, join %d: area %.9g, not %.9g", distance,
+          (int)join, area, expected);
+}
+
+/* A square of 10 with a square hole of 4. */
+static void test_offset(void)
+{
+    const double pi = 3.14159265358979323846;
+    check_offset(0, CSG_JOIN_ROUND, 84);
+    check_offset(1, CSG_JOIN_MITER, 144 - 4);
+    check_offset(1, CSG_JOIN_ROUND, 140 - (4 - pi));
+    check_offset(1, CSG_JOIN_SQUARE, 140 - 4 * (3 - 2 * sqrt(2.0)));
+    check_offset(2, CSG_JOIN_MITER, 196);
+    check_offset(-1, CSG_JOIN_MITER, 64 - 36);
+    check_offset(-1, CSG_JOIN_ROUND, 64 - 36 + (4 - pi));
+    check_offset(-5, CSG_JOIN_ROUND, 0);
+}
+
+static void test_hull(void)
+{
+    static const double points[][2] = {{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}, {1, 3}, {2, 0}};
+    struct csg_drawing drawing = {0};
+    add_points(&drawing, points, 7);
+    CHECK(csg_drawing_hull(&drawing, 0) == CSG_SWEEP_DONE, "hull");
+    CHECK(fabs(outline_area(&drawing) - 16) < 1e-12, "hull: area %g", outline_area(&drawing));
+    csg_drawing_finish(&drawing);
+}
+
+int main(void)
+{
+    test_random();
+    test_pieces();
+    test_offset();
+    test_hull();
+    if (num_failed)
+        fprintf(stderr, "%d checks failed\n", num_failed);
+    return num_failed != 0;
+}
