@@ -187,9 +187,6 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
         carriers->num_shared++;
     else if (!add_quadric(builder, &shape->quadric, &extent, alone, face))
         return false;
-    struct csg_box *box = &carriers->quadric_boxes[face->carrier];
-    const struct csg_box own = csg_leaf_box(&builder->scene->leaves[leaf]);
-    *box = csg_box_union(box, &own);
     carriers->sheets[leaf] = carrier_sheet(shape, &carriers->quadrics[face->carrier]);
     return true;
 }
@@ -246,8 +243,8 @@ static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool
     return ok;
 }
 
-/* Where the faces are hashed: the finite part of the scene, and how far two matching faces can differ
- * there at most. */
+/* Where the faces are hashed: the finite part of the scene, and how far two matching faces can
+ * differ there at most. */
 static bool start_index(struct builder *builder)
 {
     struct csg_box box = csg_box_empty;
@@ -297,6 +294,27 @@ static bool assign_all(struct builder *builder, bool *assigned)
     return true;
 }
 
+/* What can be seen of each quadric: its leaves, as far as the objects reach that they are in. */
+static void fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers)
+{
+    for (size_t i = 0; i < scene->objects->num; i++) {
+        const struct csg_object *object = &scene->objects->data[i];
+        const struct csg_node *nodes = scene->trees[object->layer].data;
+        for (uint32_t j = object->begin; j < object->end; j++) {
+            const struct csg_face face =
+                nodes[j].op == CSG_LEAF ? carriers->quadric_faces[nodes[j].leaf]
+                                        : (struct csg_face){CSG_NO_CARRIER, false};
+            if (face.carrier == CSG_NO_CARRIER)
+                continue;
+            struct csg_box box = csg_leaf_box(&scene->leaves[nodes[j].leaf]);
+            box = csg_box_intersection(&box, &object->box);
+            if (!csg_box_is_empty(&box))
+                carriers->quadric_boxes[face.carrier] =
+                    csg_box_union(&carriers->quadric_boxes[face.carrier], &box);
+        }
+    }
+}
+
 static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *scene)
 {
     const size_t num = scene->num_leaves;
@@ -325,6 +343,8 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
     bool *assigned = calloc(scene->num_leaves + 1, sizeof *assigned);
     const bool ok = builder.carriers && assigned && allocate(builder.carriers, scene) &&
                     assign_all(&builder, assigned);
+    if (ok)
+        fill_boxes(scene, builder.carriers);
     csg_index_finish(&builder.index);
     free(builder.plane_rounding.data);
     free(builder.quadric_rounding.data);

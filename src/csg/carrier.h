@@ -24,7 +24,7 @@ struct csg_carriers {
     struct csg_quadric *quadrics;
     size_t num_planes, num_quadrics;
     size_t planes_capacity, quadrics_capacity;
-    struct csg_box *quadric_boxes; /* of all the leaves on the carrier, world space */
+    struct csg_box *quadric_boxes; /* of what can be seen of them, world space */
     size_t quadric_boxes_capacity, num_quadric_boxes;
     size_t num_shared; /* faces that found an earlier face's carrier */
 

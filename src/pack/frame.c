@@ -163,7 +163,8 @@ static bool add_layer(struct packer *packer, uint8_t layer)
     return true;
 }
 
-/* The scene's box, or, where it has none, that of its finite solids and the unbounded ones' places. */
+/* The scene's box, or, where it has none, that of its finite solids and of the unbounded ones'
+ * places. */
 static struct csg_box focus_of(const struct csgcast_scene *scene)
 {
     struct csg_box focus = csg_box_empty;

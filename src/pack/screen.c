@@ -171,8 +171,8 @@ struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_ve
 }
 
 /*
- * c / slope as a plane's texel. Where rays run along the plane, or the eye is in it, slope is nothing
- * and the sign of c alone decides: the terms are scaled together, so that the sum keeps its sign
+ * c / slope as a plane's texel. Where rays run along the plane, or the eye is in it, slope is
+ * nothing and the sign of c alone decides: the terms are scaled together, so that the sum keeps its sign
  * and is far beyond any crossing in view.
  */
 static void put_plane(const struct csg_screen *screen, const double c[3], double slope,

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+struct picture picture_create(int width, int height)
+{
+    const size_t num = (size_t)width * (size_t)height;
+    struct picture picture = {width, height, malloc(num * sizeof(float)),
+                              malloc(3 * num * sizeof(float)), malloc(num * sizeof(float))};
+    if (!picture.z || !picture.normal || !picture.id)
+        abort();
+    return picture;
+}
+
+void picture_free(struct picture *picture)
+{
+    free(picture->z);
+    free(picture->normal);
+    free(picture->id);
+}
+
+bool picture_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                    const struct csgcast_view *view, struct picture *picture)
+{
+    const struct csgcast_image image = {
+        .z = picture->z, .normal = picture->normal, .id = picture->id};
+    return csgcast_render(renderer, scene, view, &image);
+}
+
+double picture_angle(const float *a, const float *b)
+{
+    const double x = (double)a[1] * b[2] - (double)a[2] * b[1],
+                 y = (double)a[2] * b[0] - (double)a[0] * b[2],
+                 z = (double)a[0] * b[1] - (double)a[1] * b[0];
+    const double dot = (double)a[0] * b[0] + (double)a[1] * b[1] + (double)a[2] * b[2];
+    return atan2(sqrt(x * x + y * y + z * z), dot) / DEGREE;
+}
+
+static bool is_right(const struct picture *picture, size_t i, const struct ideal_scene *ideal,
+                     const struct ideal_ray *ray, const struct tolerance *tolerance)
+{
+    const struct ideal_hit hit = ideal_trace(ideal, ray);
+    const real z = picture->z[i];
+    if (!hit.hit || isinf(z))
+        return !hit.hit && isinf(z) && picture->id[i] < 0;
+    if (!isfinite(z) || picture->id[i] < 0)
+        return false;
+    const struct ideal_vec point = ideal_add(ray->org, ideal_scale(z, ray->dir));
+    if (ideal_form_distance(hit.form, point) > (real)tolerance->surface * ideal->size)
+        return false;
+    const struct ideal_vec away = ideal_add(ideal_to_world(ideal, hit.normal),
+                                            ideal_scale(-1, ideal->move));
+    const float expected[3] = {(float)away.x, (float)away.y, (float)away.z};
+    const double angle = picture_angle(expected, picture->normal + 3 * i);
+    return (hit.from_inside ? 180 - angle : angle) <= tolerance->normal;
+}
+
+void judge_picture(const struct picture *picture, const struct ideal_scene *ideal,
+                   const struct csgcast_frustum *frustum, const struct tolerance *tolerance,
+                   struct verdict *verdict)
+{
+    const int width = picture->width, height = picture->height;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            const size_t i = (size_t)y * (size_t)width + (size_t)x;
+            const struct ideal_ray ray =
+                ideal_ray(ideal, frustum, width, height, x + 0.5L, y + 0.5L);
+            verdict->rays++;
+            if (is_right(picture, i, ideal, &ray, tolerance))
+                continue;
+            if (ideal_is_edge(ideal, frustum, width, height, x, y)) {
+                verdict->edge++;
+                continue;
+            }
+            if (!verdict->wrong++) {
+                verdict->x = x;
+                verdict->y = y;
+            }
+        }
+}

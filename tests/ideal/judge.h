@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef IDEAL_JUDGE_H
+#define IDEAL_JUDGE_H
+
+/* Pictures, and their pixels against what the scene is by construction. */
+
+#include <stddef.h>
+
+#include "ideal.h"
+
+struct picture {
+    int width, height;
+    float *z, *normal, *id;
+};
+
+struct picture picture_create(int width, int height);
+void picture_free(struct picture *picture);
+bool picture_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                    const struct csgcast_view *view, struct picture *picture);
+
+/* Degrees between two vectors of three. */
+double picture_angle(const float *a, const float *b);
+
+struct tolerance {
+    double surface; /* share of the scene: how far a hit may be off the right surface */
+    double normal;  /* degrees */
+};
+
+struct verdict {
+    size_t rays;
+    size_t wrong;     /* another surface, or none where there is one, or one where there is none */
+    size_t edge;      /* of these, those within a pixel of a silhouette or crease: not in wrong */
+    int x, y;         /* the first wrong pixel */
+};
+
+/* Adds to verdict. */
+void judge_picture(const struct picture *picture, const struct ideal_scene *ideal,
+                   const struct csgcast_frustum *frustum, const struct tolerance *tolerance,
+                   struct verdict *verdict);
+
+#endif
