@@ -50,10 +50,12 @@ float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
             vec2 gap;
             csg_read_leaf(p, head, d, span, gap);
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
+            /* In an intersection nothing before what the operands so far ask for can be true. */
+            float at = all && (flags & CSG_RECORD_START) == 0 ? result : k;
 #ifdef CSG_HAS_GAP
-            value = negated ? csg_outside_gap(k, span.key, gap) : csg_inside_gap(k, span.key, gap);
+            value = negated ? csg_outside_gap(at, span.key, gap) : csg_inside_gap(at, span.key, gap);
 #else
-            value = negated ? csg_outside(k, span.key) : csg_inside(k, span.key);
+            value = negated ? csg_outside(at, span.key) : csg_inside(at, span.key);
 #endif
         }
         if ((flags & CSG_RECORD_PUSH) != 0)

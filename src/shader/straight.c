@@ -7,6 +7,7 @@
 
 #include "shader/source.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 struct leaf_code {
@@ -116,7 +117,7 @@ static void fill_leaves(const struct csg_structure *structure, struct leaf_code 
 static void add_steps(struct csg_text *text, const struct csg_structure *structure,
                       const char *indent, const char *all, const char *any,
                       void (*value)(struct csg_text *, const struct csg_structure *, size_t,
-                                    const struct leaf_code *),
+                                    const struct leaf_code *, const char *at),
                       const struct leaf_code *leaves)
 {
     int top = 0;
@@ -133,24 +134,29 @@ static void add_steps(struct csg_text *text, const struct csg_structure *structu
             csg_text_add(text, "%sr%d = ", indent, top);
         else
             csg_text_add(text, "%sr%d = %s(r%d, ", indent, top, op, top);
-        value(text, structure, i, leaves);
+        /* In an intersection nothing before what the operands so far ask for can be true. */
+        char at[16] = "k";
+        if (flags & CSG_RECORD_AND && !(flags & CSG_RECORD_START))
+            snprintf(at, sizeof at, "r%d", top);
+        value(text, structure, i, leaves, at);
         csg_text_add(text, flags & CSG_RECORD_START ? ";\n" : ");\n");
     }
 }
 
 static void add_next_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
-                           const struct leaf_code *leaves)
+                           const struct leaf_code *leaves, const char *at)
 {
     const char *side = structure->steps[i].flags & CSG_RECORD_NEGATED ? "outside" : "inside";
     if (leaves[i].gap)
-        csg_text_add(text, "csg_%s_gap(k, s%zu.key, g%zu)", side, i, i);
+        csg_text_add(text, "csg_%s_gap(%s, s%zu.key, g%zu)", side, at, i, i);
     else
-        csg_text_add(text, "csg_%s(k, s%zu.key)", side, i);
+        csg_text_add(text, "csg_%s(%s, s%zu.key)", side, at, i);
 }
 
 static void add_change_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
-                             const struct leaf_code *leaves)
+                             const struct leaf_code *leaves, const char *at)
 {
+    (void)at; /* a change is looked for at k alone */
     const bool negated = structure->steps[i].flags & CSG_RECORD_NEGATED;
     csg_text_add(text, "csg_literal(%s", negated ? "not(" : "");
     if (leaves[i].gap)
