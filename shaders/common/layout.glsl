@@ -51,3 +51,8 @@
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
+#define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/program.glsl */
+
+/* Turns of all its loops after which a program gives up. llvmpipe ends them after 65,535, silently;
+ * two turns of a record go unseen between two looks at the count. */
+#define CSG_MAX_TURNS 60000

@@ -4,10 +4,14 @@
  * and a stack. dual asks for the complement of the tree: where does the solid end?
  */
 
+/* Turns of loops so far. A program that runs out of them says so, and the pixel is cast on the CPU. */
+int csg_turns = 0;
+
 /* The leaf whose record is at p; moves p past it. */
 void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 gap)
 {
     int flags = int(head.z), entries = int(head.x), exits = int(head.y);
+    csg_turns += 3 + (entries + 1) / 2 + (exits + 1) / 2; /* a loop turns once more to end */
     span = csg_whole_ray();
     gap = vec2(CSG_KEY_MAX);
     csg_clip_planes(p + 1, entries, exits, d, span);
@@ -36,7 +40,7 @@ float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
     float stack[CSG_STACK_SIZE];
     int top = 0;
     float result = 0.0;
-    for (int p = begin; p < end;) {
+    for (int p = begin; p < end && csg_turns < CSG_MAX_TURNS;) {
         vec4 head = csg_texel(p);
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
@@ -74,7 +78,7 @@ ivec2 csg_program_change(int begin, int end, vec2 d, float k, bool dual)
     csg_change stack[CSG_STACK_SIZE];
     int top = 0;
     csg_change result = csg_change(false, false, CSG_RANK_NONE, ivec2(0));
-    for (int p = begin; p < end;) {
+    for (int p = begin; p < end && csg_turns < CSG_MAX_TURNS;) {
         int record = p;
         vec4 head = csg_texel(p);
         int flags = int(head.z);

@@ -17,6 +17,13 @@ void main()
     vec2 d = gl_FragCoord.xy + csg_window - csg_at;
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
+#ifdef CSG_CAN_GIVE_UP
+    if (csg_turns >= CSG_MAX_TURNS) {
+        csg_visible = uvec2(0u, CSG_UNFINISHED);
+        gl_FragDepth = 0.0;
+        return;
+    }
+#endif
     vec4 head = csg_texel(place.x);
     bool plane = place.y < int(head.x) + int(head.y);
     int face = plane ? int(abs(csg_texel(place.x + 1 + place.y).w)) - 1 : 0;

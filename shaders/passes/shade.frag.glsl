@@ -15,7 +15,7 @@ layout(location = 2) out vec4 csg_leaf;
 void main()
 {
     uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy), 0).xy;
-    if (visible.y == 0u)
+    if (visible.y == 0u || visible.y == CSG_UNFINISHED)
         discard; /* cleared to the background, or what an overlay lies on */
     float k = uintBitsToFloat(visible.x);
     int p = int(visible.y) - 1;

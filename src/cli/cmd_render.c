@@ -178,10 +178,12 @@ static void print_stats(const struct csgcast_renderer *renderer)
             "frame ms        %.3f\n"
             "objects drawn   %zu\n"
             "proxy pixels    %zu\n"
-            "hit pixels      %zu\n",
+            "hit pixels      %zu\n"
+            "cast on the CPU %zu\n",
             csgcast_renderer_name(renderer), stats.variants, stats.texture_bytes,
             stats.bytes_uploaded, stats.programs, stats.compile_ms, stats.cpu_ms, stats.frame_ms,
-            stats.objects_drawn, stats.proxy_pixels, stats.hit_pixels);
+            stats.objects_drawn, stats.proxy_pixels, stats.hit_pixels,
+            stats.unfinished_pixels);
 }
 
 static bool render_image(const struct csg_cli_options *options, const struct csgcast_scene *scene,

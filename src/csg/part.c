@@ -66,8 +66,8 @@ static bool append_nodes(struct csg_part *part, const struct csg_part *other, bo
 bool csg_part_append(struct csg_part *part, struct csg_part *other, bool negated)
 {
     bool ok = csg_array_reserve(&part->shapes, other->shapes.num);
-    part->is_too_large |= other->is_too_large ||
-                          part->shapes.num + other->shapes.num > CSG_PART_MAX_SHAPES;
+    part->is_too_large |=
+        other->is_too_large || part->shapes.num + other->shapes.num > CSG_PART_MAX_SHAPES;
     if (ok && !part->is_too_large) {
         for (size_t i = 0; i < other->shapes.num; i++)
             part->shapes.data[part->shapes.num++] = other->shapes.data[i];

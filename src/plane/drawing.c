@@ -73,7 +73,6 @@ struct csg_box csg_figure_written(const struct csg_drawing *drawing,
     struct csg_box box = csg_box_empty;
     for (uint32_t i = figure->begin; i < figure->end; i++)
         for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++)
-            csg_box_extend(&box,
-                           csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
+            csg_box_extend(&box, csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
     return box;
 }

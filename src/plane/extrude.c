@@ -34,9 +34,8 @@ static bool add_disc(struct extruder *extruder, const struct csg_figure *figure,
 static bool add_piece(struct extruder *extruder, const struct csg_figure *figure,
                       const struct csg_pieces *pieces, const struct csg_piece *piece, bool negated)
 {
-    struct csg_shape shape = {.frame = csg_map_identity,
-                              .facetted = figure->facetted,
-                              .rounding = figure->rounding};
+    struct csg_shape shape = {
+        .frame = csg_map_identity, .facetted = figure->facetted, .rounding = figure->rounding};
     if (csg_prism_fill(&shape, pieces, piece, extruder->lift))
         return csg_part_add(extruder->part, &shape, negated);
     csg_shape_finish(&shape);

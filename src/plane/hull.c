@@ -128,7 +128,7 @@ static size_t furthest(const struct balls *balls)
     for (size_t i = 1; i < balls->list.num; i++) {
         const struct ball *a = &balls->list.data[i], *b = &balls->list.data[best];
         const double more = a->center.x + a->radius - (b->center.x + b->radius);
-        /* Of equals the lowest, which is the first when turning to the left. */
+        /* Of equals the highest, which is ahead when turning to the left. */
         if (more > 0 || (more == 0 && a->center.y > b->center.y))
             best = i;
     }
@@ -169,12 +169,15 @@ static bool wrap_balls(const struct balls *balls, struct points *polygon, bool *
     used[at] = true;
     for (size_t steps = 0; steps <= 2 * num; steps++) {
         const size_t next = next_ball(balls, at, theta, &ahead);
-        if (next == at || theta + ahead >= 2 * PI - 1e-9)
+        if (next == at || theta + ahead > 2 * PI + 1e-9)
             return true;
         theta += fmax(ahead, 0);
         if (!add_tangent(polygon, &balls->list.data[at], theta) ||
             !add_tangent(polygon, &balls->list.data[next], theta))
             return false;
+        /* An edge across the direction that it began with is the last one. */
+        if (theta >= 2 * PI - 1e-9)
+            return true;
         used[next] = true;
         at = next;
     }
@@ -193,9 +196,8 @@ static bool add_polygon(struct csg_drawing *drawing, const struct points *points
 
 static bool add_disc(struct csg_drawing *drawing, uint32_t figure)
 {
-    const struct csg_draw_node node = {.op = CSG_DRAW_FIGURE,
-                                       .figure = figure,
-                                       .end = (uint32_t)drawing->nodes.num + 1};
+    const struct csg_draw_node node = {
+        .op = CSG_DRAW_FIGURE, .figure = figure, .end = (uint32_t)drawing->nodes.num + 1};
     return csg_array_push(&drawing->nodes, node);
 }
 

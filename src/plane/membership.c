@@ -8,8 +8,8 @@
 struct csg_membership_node {
     uint8_t op;
     bool value;
-    bool is_first;      /* child of its parent */
-    bool first_value;   /* of the first child */
+    bool is_first;    /* child of its parent */
+    bool first_value; /* of the first child */
     uint32_t parent;
     uint32_t num_children, num_true;
 };

@@ -121,10 +121,9 @@ static bool add_square(struct mover *mover, const struct corner *corner, double 
     const double d = mover->side * tan(corner->angle / 4);
     const struct csg_vec2 a = {corner->n0.x - corner->n0.y * d, corner->n0.y + corner->n0.x * d};
     const struct csg_vec2 b = {corner->n1.x + corner->n1.y * d, corner->n1.y - corner->n1.x * d};
-    const struct csg_vec2 points[5] = {corner->at, moved(corner->at, mover->size, corner->n0),
-                                       moved(corner->at, mover->size, a),
-                                       moved(corner->at, mover->size, b),
-                                       moved(corner->at, mover->size, corner->n1)};
+    const struct csg_vec2 points[5] = {
+        corner->at, moved(corner->at, mover->size, corner->n0), moved(corner->at, mover->size, a),
+        moved(corner->at, mover->size, b), moved(corner->at, mover->size, corner->n1)};
     return add_polygon(mover->drawing, points, 5, rounding);
 }
 

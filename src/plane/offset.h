@@ -9,8 +9,8 @@ enum csg_join { CSG_JOIN_ROUND, CSG_JOIN_MITER, CSG_JOIN_SQUARE };
 struct csg_offset {
     double distance; /* outwards; negative: inwards */
     enum csg_join join;
-    int num;         /* ROUND: segments of a full circle */
-    bool exact;      /* ROUND: discs where the corners are sharp */
+    int num;    /* ROUND: segments of a full circle */
+    bool exact; /* ROUND: discs where the corners are sharp */
 };
 
 /* Replaces the subtree at node, the last of the drawing, by what it becomes when its outline moves,

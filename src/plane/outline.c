@@ -69,8 +69,9 @@ static bool make_corners(struct tracer *tracer, struct slab below, struct slab a
             tracer->xs.data[num++] = tracer->xs.data[i];
     tracer->xs.num = num;
     for (size_t i = 0; i < num && ok; i++)
-        ok = csg_array_push(&tracer->corners, ((struct csg_vec2){tracer->xs.data[i],
-                                                tracer->sweep.levels.data[level]}));
+        ok = csg_array_push(
+            &tracer->corners,
+            ((struct csg_vec2){tracer->xs.data[i], tracer->sweep.levels.data[level]}));
     return ok;
 }
 
@@ -114,8 +115,7 @@ static bool add_horizontal(struct tracer *tracer, struct slab below, struct slab
     return ok;
 }
 
-static bool trace_level(struct tracer *tracer, struct slab below, struct slab above,
-                        uint32_t level)
+static bool trace_level(struct tracer *tracer, struct slab below, struct slab above, uint32_t level)
 {
     const struct csg_sweep_span *spans = tracer->sweep.spans.data;
     if (!make_corners(tracer, below, above, level))

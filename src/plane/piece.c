@@ -100,10 +100,10 @@ static bool add_side(struct cutter *cutter, const struct stack *stack, bool is_l
         const struct csg_vec2 corner = {csg_sweep_x(&cutter->sweep, edges[i], level),
                                         cutter->sweep.levels.data[level]};
         const bool is_new = i == 0 || edges[i] != edges[i - 1];
-        if (is_new && (!csg_array_push(&cutter->pieces->corners, corner) ||
-                       !csg_array_push(&cutter->pieces->lines,
-                                       csg_edge_line(&cutter->sweep.edges.data[edges[i]],
-                                                     is_left))))
+        if (is_new &&
+            (!csg_array_push(&cutter->pieces->corners, corner) ||
+             !csg_array_push(&cutter->pieces->lines,
+                             csg_edge_line(&cutter->sweep.edges.data[edges[i]], is_left))))
             return false;
     }
     const struct csg_vec2 top = {stack->high[is_left ? 0 : 1],
@@ -156,8 +156,7 @@ static bool place_span(struct cutter *cutter, const struct csg_sweep_span *span,
 {
     const double x = csg_sweep_x(&cutter->sweep, span->left, span->level);
     struct stack stack = {.begin = span->level, .end = span->level};
-    while (*first < cutter->below.num &&
-           cutter->below.data[*first].high[0] < x - cutter->noise)
+    while (*first < cutter->below.num && cutter->below.data[*first].high[0] < x - cutter->noise)
         (*first)++;
     size_t i = *first;
     while (i < cutter->below.num && cutter->below.data[i].high[0] <= x + cutter->noise &&

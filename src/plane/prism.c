@@ -25,9 +25,8 @@ static bool add_line(struct csg_shape *shape, const struct csg_line *line,
                      const struct csg_lift *lift)
 {
     const double g = (lift->s1 - lift->s0) / (lift->z1 - lift->z0);
-    return csg_shape_add_plane(
-        shape, csg_vec3(line->normal.x, line->normal.y, -line->offset * g),
-        line->offset * (lift->s0 - g * lift->z0));
+    return csg_shape_add_plane(shape, csg_vec3(line->normal.x, line->normal.y, -line->offset * g),
+                               line->offset * (lift->s0 - g * lift->z0));
 }
 
 bool csg_prism_fill(struct csg_shape *shape, const struct csg_pieces *pieces,

@@ -63,8 +63,8 @@ void csg_profile_finish(struct csg_profile *profile)
     csg_sweep_finish(&profile->sweep);
 }
 
-/* Joins the spans of neighbouring slabs that lie between the same edges. Both are in the order of x,
- * so the trapezoids of the slab below are looked through only once. */
+/* Joins the spans of neighbouring slabs that lie between the same edges. Both are in the order of
+ * x, so the trapezoids of the slab below are looked through only once. */
 static bool find_trapezoids(struct lathe *lathe)
 {
     const struct csg_sweep *sweep = &lathe->profile->sweep;
@@ -92,9 +92,9 @@ static bool find_trapezoids(struct lathe *lathe)
         if (above < lathe->trapezoids.num)
             lathe->trapezoids.data[above].end = span.level + 1;
         else
-            ok = ok && csg_array_push(&lathe->trapezoids,
-                                      ((struct trapezoid){span.left, span.right, span.level,
-                                                          span.level + 1}));
+            ok = ok && csg_array_push(
+                           &lathe->trapezoids,
+                           ((struct trapezoid){span.left, span.right, span.level, span.level + 1}));
         ok = ok && csg_array_push(&tops[1], above);
     }
     free(tops[0].data);
@@ -112,16 +112,16 @@ static bool find_sectors(struct lathe *lathe)
     const double from = turn->angle < 0 ? start + turn->angle : start;
     const double size = fabs(turn->angle);
     const int per_sector =
-        turn->facetted ? (int)floor(180 / (size / turn->num) + 1e-9) : turn->num;
+        turn->facetted ? (int)fmin(floor(180 / (size / turn->num) + 1e-9), turn->num) : turn->num;
     bool ok = true;
     if (size >= 360)
         return csg_array_push(&lathe->sectors,
                               ((struct sector){start, start + 360, true, turn->num}));
     if (!turn->facetted) {
         for (double at = 0; at < size && ok; at += 180)
-            ok = csg_array_push(&lathe->sectors,
-                                ((struct sector){from + at, from + fmin(at + 180, size), false,
-                                                 turn->num}));
+            ok = csg_array_push(
+                &lathe->sectors,
+                ((struct sector){from + at, from + fmin(at + 180, size), false, turn->num}));
         return ok;
     }
     for (int i = 0; i < turn->num && per_sector > 0 && ok; i += per_sector) {

@@ -7,7 +7,7 @@
 
 /* An edge's place in the order of a slab. */
 struct key {
-    double x;     /* in the middle of the slab */
+    double x; /* in the middle of the slab */
     uint32_t edge;
 };
 
@@ -41,12 +41,10 @@ double csg_sweep_x(const struct csg_sweep *sweep, uint32_t index, uint32_t level
 
 /* ---- edges -------------------------------------------------------------------------------- */
 
-static bool add_edge(struct csg_sweep *sweep, struct csg_vec2 a, struct csg_vec2 b,
-                     uint32_t figure)
+static bool add_edge(struct csg_sweep *sweep, struct csg_vec2 a, struct csg_vec2 b, uint32_t figure)
 {
     const bool up = a.y <= b.y;
-    const struct csg_sweep_edge edge = {
-        .low = up ? a : b, .high = up ? b : a, .figure = figure};
+    const struct csg_sweep_edge edge = {.low = up ? a : b, .high = up ? b : a, .figure = figure};
     sweep->size = fmax(sweep->size, fmax(fabs(a.x), fabs(a.y)));
     if (a.y == b.y)
         return true;
@@ -258,7 +256,7 @@ enum csg_sweep_result csg_sweep(struct csg_sweep *sweep, const struct csg_drawin
     enum csg_sweep_result result = CSG_SWEEP_NO_MEMORY;
     if (!add_edges(sweep, drawing, node))
         return result;
-    if (sweep->edges.num > CSG_SWEEP_MAX_EDGES)
+    if (sweep->edges.num > CSG_SWEEP_MAX_EDGES || !(sweep->size < CSG_SWEEP_MAX_SIZE))
         return CSG_SWEEP_TOO_LARGE;
     const double noise = CSG_SWEEP_NOISE * sweep->size;
     if (sweep->edges.num)

@@ -31,7 +31,7 @@ struct csg_sweep {
     CSG_ARRAY(struct csg_sweep_edge) edges;
     CSG_ARRAY(double) levels;
     CSG_ARRAY(struct csg_sweep_span) spans; /* by level, then by x */
-    double size; /* the largest coordinate */
+    double size;                            /* the largest coordinate */
 };
 
 /* Differences below this share of the largest coordinate are noise. */
@@ -40,6 +40,9 @@ struct csg_sweep {
 /* A drawing may not have more edges, nor the slabs more spans; beyond them it is not swept. */
 #define CSG_SWEEP_MAX_EDGES 200000
 #define CSG_SWEEP_MAX_SPANS 2000000
+
+/* Products of larger coordinates are not numbers any more. */
+#define CSG_SWEEP_MAX_SIZE 1e100
 
 enum csg_sweep_result { CSG_SWEEP_DONE, CSG_SWEEP_TOO_LARGE, CSG_SWEEP_NO_MEMORY };
 

@@ -41,7 +41,7 @@ bool csg_polygon_split(const struct csg_polygon *polygon, const struct csg_plane
     bool ok = true;
     csg_polygon_range(polygon, plane, &lo, &hi);
     below->plane = above->plane = polygon->plane;
-    const bool has_below = lo < -near, has_above = hi > near;
+    const bool has_below = lo<-near, has_above = hi> near;
     for (size_t i = 0; i < polygon->points.num && ok; i++) {
         const struct csg_vec3 a = polygon->points.data[i];
         const struct csg_vec3 b = polygon->points.data[(i + 1) % polygon->points.num];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A polyhedron that is not convex is cut along the planes of its faces (a BSP, Fuchs et al. 1980):
- * space is a cell; a cell that holds pieces of faces is cut along one of them; a cell without any is
- * inside or outside as a whole. The cells inside abut along planes that both name, so they have no
- * seams.
+ * space is a cell; a cell that holds pieces of faces is cut along one of them; a cell without any
+ * is inside or outside as a whole. The cells inside abut along planes that both name, so they have
+ * no seams.
  */
 #include <stdlib.h>
 
@@ -15,6 +15,9 @@
 
 /* Planes that are tried for a cut. */
 enum { max_candidates = 12 };
+
+/* Testing whether a polyhedron is convex takes faces times corners; larger ones are refused. */
+#define MAX_CONVEX_TESTS 4e9
 
 /* Give up when the faces are in so many pieces. */
 enum { max_fragments = 400000 };
@@ -188,9 +191,8 @@ static bool split_region(struct bsp *bsp, const struct region *region)
 
 static bool add_cell(struct bsp *bsp, const struct csg_cell *cell)
 {
-    struct csg_shape shape = {.frame = csg_map_identity,
-                              .convex = true,
-                              .rounding = bsp->mesh->rounding};
+    struct csg_shape shape = {
+        .frame = csg_map_identity, .convex = true, .rounding = bsp->mesh->rounding};
     bool ok = true;
     for (size_t i = 0; i < cell->faces.num && ok; i++)
         ok = csg_shape_add_plane(&shape, cell->faces.data[i].plane.normal,
@@ -261,6 +263,8 @@ enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_
     const double near = ON_PLANE * mesh->size + 2 * mesh->rounding;
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = mesh->rounding};
     bool out_of_memory = false;
+    if ((double)mesh->faces.num * (double)mesh->corners.num > MAX_CONVEX_TESTS)
+        return CSG_MESH_TOO_LARGE;
     if (fill_convex(mesh, near, &shape, &out_of_memory) && shape.num_planes >= 4)
         return csg_part_add(part, &shape, false) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
     const bool is_flat = shape.convex;

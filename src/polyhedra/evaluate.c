@@ -60,8 +60,7 @@ static bool copy_cell(const struct csg_cell *cell, struct csg_cell *copy)
     const struct csg_box box = csg_cell_box(cell);
     const double far = box.hi.x + (box.hi.x - box.lo.x) + 1;
     struct csg_cell rest = {0};
-    const bool ok =
-        csg_cell_split(cell, &(struct csg_plane){{1, 0, 0}, far}, 0, copy, &rest);
+    const bool ok = csg_cell_split(cell, &(struct csg_plane){{1, 0, 0}, far}, 0, copy, &rest);
     csg_cell_finish(&rest);
     return ok;
 }
@@ -96,8 +95,8 @@ static bool misses(const struct csg_cell *cell, const struct csg_shape *shape)
     return csg_box_is_empty(&common);
 }
 
-/* What of the cell is in the shape, or, where that is asked for, the pieces that are not: beyond its
- * first plane, then within that and beyond the second, and so on. */
+/* What of the cell is in the shape, or, where that is asked for, the pieces that are not: beyond
+ * its first plane, then within that and beyond the second, and so on. */
 static bool cut_cell(struct evaluator *evaluator, struct csg_cell *cell,
                      const struct csg_shape *shape, bool negated, struct cells *out)
 {
@@ -270,8 +269,7 @@ enum csg_hull_result csg_part_evaluate(const struct csg_part *part, struct csg_c
         if (part->tree.data[i].op != CSG_LEAF)
             continue;
         const size_t before = clusters->corners.points.num;
-        result = csg_shape_corners(&part->shapes.data[part->tree.data[i].leaf],
-                                   &clusters->corners);
+        result = csg_shape_corners(&part->shapes.data[part->tree.data[i].leaf], &clusters->corners);
         if (result == CSG_HULL_DONE && clusters->corners.points.num > before &&
             !csg_array_push(&clusters->ends, clusters->corners.points.num))
             result = CSG_HULL_NO_MEMORY;

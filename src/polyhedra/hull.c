@@ -19,23 +19,38 @@ typedef bool facet_fn(void *user, const double normal[3], double offset);
 static bool visit_facets(qhT *qh, facet_fn *fn, void *user)
 {
     const facetT *facet;
-    FORALLfacets {
+    FORALLfacets
+    {
         if (!fn(user, facet->normal, facet->offset))
             return false;
     }
     return true;
 }
 
+/* Qhull takes any number for a coordinate, but only these are safe. */
+#define MAX_COORDINATE 1e100
+
+static bool is_valid(const struct csg_points *points)
+{
+    bool valid = true;
+    for (size_t i = 0; i < points->points.num; i++) {
+        const struct csg_vec3 p = points->points.data[i];
+        valid &=
+            fabs(p.x) < MAX_COORDINATE && fabs(p.y) < MAX_COORDINATE && fabs(p.z) < MAX_COORDINATE;
+    }
+    return valid;
+}
+
 /* Qhull wants its own copy of the points and a file for its complaints, which nobody reads: what it
  * refuses is flat. */
 static enum csg_hull_result run(const struct csg_points *points, facet_fn *fn, void *user)
 {
-    static char options[] = "qhull Qt Pp";
+    static char options[] = "qhull Pp";
     const size_t num = points->points.num;
     enum csg_hull_result result = CSG_HULL_NO_MEMORY;
     char *complaints = NULL;
     size_t complaints_size = 0;
-    if (num < 4)
+    if (num < 4 || !is_valid(points))
         return CSG_HULL_FLAT;
     coordT *coordinates = malloc(3 * num * sizeof *coordinates);
     qhT *qh = calloc(1, sizeof *qh);
@@ -64,27 +79,17 @@ static enum csg_hull_result run(const struct csg_points *points, facet_fn *fn, v
     return result;
 }
 
-static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b, double near)
-{
-    const struct csg_vec3 d = csg_sub(a->normal, b->normal);
-    return csg_dot(d, d) < 1e-20 && fabs(a->offset - b->offset) <= near;
-}
-
 struct hull {
     struct csg_shape *shape;
     struct csg_vec3 center;
-    double near;
 };
 
-/* Relative to the middle of the points. Facets are triangles: those on one plane come in turn. */
+/* Relative to the middle of the points. Qhull has merged the facets that lie on one plane. */
 static bool add_facet(void *user, const double normal[3], double offset)
 {
     const struct hull *hull = user;
     struct csg_plane plane = {csg_vec3(normal[0], normal[1], normal[2]), 0};
     plane.offset = -offset + csg_dot(plane.normal, hull->center);
-    for (size_t i = hull->shape->num_planes; i-- > 0;)
-        if (is_same_plane(&hull->shape->planes[i], &plane, hull->near))
-            return true;
     return csg_shape_add_plane(hull->shape, plane.normal, plane.offset);
 }
 
@@ -96,7 +101,7 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
     for (size_t i = 0; i < points->points.num; i++)
         csg_box_extend(&box, points->points.data[i]);
     const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
-    struct hull hull = {shape, center, 1e-11 * csg_length(csg_sub(box.hi, box.lo))};
+    struct hull hull = {shape, center};
     for (size_t i = 0; i < points->points.num && result == CSG_HULL_DONE; i++)
         if (!csg_array_push(&moved.points, csg_sub(points->points.data[i], center)))
             result = CSG_HULL_NO_MEMORY;
@@ -127,8 +132,7 @@ static bool add_dual(void *user, const double normal[3], double offset)
  * to the corners. */
 static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct csg_points *points)
 {
-    const struct csg_vec3 middle =
-        csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi));
+    const struct csg_vec3 middle = csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi));
     struct dual dual = {points, csg_map_point(&shape->frame, middle)};
     struct csg_points normals = {0};
     enum csg_hull_result result = CSG_HULL_DONE;

@@ -28,8 +28,8 @@ bool csg_mesh_add_point(struct csg_mesh *mesh, struct csg_vec3 p);
 /* The corners added behind the last face become a face, unless they are fewer than three. */
 bool csg_mesh_close_face(struct csg_mesh *mesh);
 
-/* Joins points at the same place, drops corners that follow each other at one point and splits faces
- * that are not plane. false: out of memory. */
+/* Joins points at the same place, drops corners that follow each other at one point and splits
+ * faces that are not plane. false: out of memory. */
 bool csg_mesh_clean(struct csg_mesh *mesh);
 
 /* The face's plane, its normal to the side from which its corners run counter-clockwise. false: the
@@ -45,7 +45,7 @@ double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);
 
 enum csg_mesh_result {
     CSG_MESH_DONE,
-    CSG_MESH_TOO_LARGE, /* it is not convex and has too many faces */
+    CSG_MESH_TOO_LARGE, /* too many faces */
     CSG_MESH_NO_MEMORY,
 };
 

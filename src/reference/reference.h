@@ -47,6 +47,12 @@ struct csg_reference_params {
 /* The ray of a pixel; row 0 is on top. */
 struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y);
 
+/* Fills one pixel of image. false: out of memory. */
+bool csg_reference_pixel(const struct csgcast_scene *scene,
+                         const struct csg_reference_params *params,
+                         const struct csgcast_image *image, int x, int y,
+                         struct csg_ray_scratch *scratch);
+
 bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
                           const struct csgcast_image *image, const struct csg_log *log);

@@ -128,6 +128,16 @@ static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch
     overlay(job, CSG_LAYER_HIGHLIGHT, &ray, hit.t, scratch, rgba);
 }
 
+bool csg_reference_pixel(const struct csgcast_scene *scene,
+                         const struct csg_reference_params *params,
+                         const struct csgcast_image *image, int x, int y,
+                         struct csg_ray_scratch *scratch)
+{
+    struct job job = {.scene = scene, .params = params, .image = image};
+    pixel(&job, x, y, scratch);
+    return !job.failed;
+}
+
 static void *run(void *argument)
 {
     struct job *job = argument;

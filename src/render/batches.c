@@ -149,6 +149,21 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
     return choose_shared(chooser, *resolver, features, resolver);
 }
 
+/* An upper bound of the turns of a loop program over the draw's records: every pass looks at all of
+ * them, and a ray cannot stop more often than it has crossings. */
+static bool may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
+{
+    double turns = 0, leaves = 0;
+    for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
+        const float *head = frame->texels.data + 4 * (size_t)p;
+        const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
+        turns += 4 + (entries + 1) / 2 + (exits + 1) / 2;
+        leaves++;
+        p += 1 + entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
+    }
+    return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
+}
+
 static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,
                      GLuint rear, enum csg_resolver resolver, uint32_t instance)
 {
@@ -200,10 +215,12 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
             .renderer = renderer, .request = request, .max_handed = max_handed(renderer->gl)};
     for (uint32_t i = 0; i < renderer->frame.draws.num && ok; i++) {
         const struct csg_draw *draw = &renderer->frame.draws.data[i];
-        enum csg_resolver resolver;
+        enum csg_resolver resolver = CSG_RESOLVER_STRAIGHT;
         GLuint rear = 0;
         const GLuint program = choose_program(chooser, draw, &resolver);
         ok = program != 0 && choose_rear(chooser, draw, &rear);
+        batches->may_give_up |=
+            resolver != CSG_RESOLVER_STRAIGHT && may_give_up(&renderer->frame, draw);
         if (ok && !add_draw(batches, draw, program, rear, resolver, i))
             ok = csg_log_memory(&renderer->log);
     }

@@ -28,6 +28,7 @@ struct picture {
     GLuint shade;
     int first_row, num_rows; /* of the band, counted from the bottom */
     bool want_geometry, want_leaf;
+    uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
 };
 
 /* Which batches a round draws. */
@@ -169,6 +170,16 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     gl->Disable(GL_BLEND);
 }
 
+/* Reads which pixels the geometry pass gave up on; they are filled after everything else. */
+static void read_visible(const struct picture *picture)
+{
+    struct csg_gl *gl = picture->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.geometry_fbo);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RG_INTEGER,
+                   GL_UNSIGNED_INT, picture->visible);
+}
+
 static void draw_round(const struct picture *picture, const struct round *round)
 {
     draw_geometry(picture, round);
@@ -223,6 +234,8 @@ static void draw_band(const struct picture *picture)
         mixed |= picture->batches.data[i].layer == CSG_LAYER_MODEL &&
                  !is_opaque(&picture->batches.data[i]);
     draw_round(picture, &all);
+    if (picture->visible)
+        read_visible(picture);
     if (mixed)
         draw_round(picture, &opaque);
     for (uint8_t paint = 0; paint < CSG_NUM_LAYERS; paint++)
@@ -364,19 +377,27 @@ static bool draw_bands(struct picture *picture)
     rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
     if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows))
         return false;
-    float *pixels = malloc(4 * (size_t)request->width * (size_t)rows * sizeof *pixels);
-    if (!pixels)
-        return csg_log_memory(&picture->renderer->log);
+    const size_t num_pixels = (size_t)request->width * (size_t)rows;
+    float *pixels = malloc(4 * num_pixels * sizeof *pixels);
+    if (picture->batches.may_give_up)
+        picture->visible = malloc(2 * num_pixels * sizeof *picture->visible);
+    bool ok = pixels && (picture->visible || !picture->batches.may_give_up);
+    if (!ok)
+        csg_log_memory(&picture->renderer->log);
     picture->gl->ActiveTexture(GL_TEXTURE0);
     picture->gl->BindTexture(GL_TEXTURE_2D, picture->renderer->data_texture);
-    for (int row = 0; row < request->height; row += rows) {
+    for (int row = 0; row < request->height && ok; row += rows) {
         picture->first_row = row;
         picture->num_rows = rows < request->height - row ? rows : request->height - row;
         draw_band(picture);
         read_band(picture, pixels);
+        if (picture->visible)
+            ok = csg_unfinished_fill(picture->renderer, request, picture->visible, row,
+                                     picture->num_rows);
     }
+    free(picture->visible);
     free(pixels);
-    return true;
+    return ok;
 }
 
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)

@@ -49,7 +49,13 @@ struct csg_batches {
     struct csg_batch *data;
     size_t num, capacity;
     size_t drawn[CSG_NUM_RESOLVERS];
+    bool may_give_up; /* some program may run out of turns, see CSG_MAX_TURNS */
 };
+
+/* Casts the pixels of the band at first_row (from the bottom) that visible marks as
+ * CSG_UNFINISHED on the CPU. visible: two words a pixel. false: out of memory. */
+bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,
+                         const uint32_t *visible, int first_row, int num_rows);
 
 /* Chooses a program for every draw of the frame; runs of equal ones become batches, file order
  * kept. false, with a message, on failure. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * OpenSCAD does not mix two and three dimensions: among the children of a node the first one decides
- * and those that differ are dropped with a warning. Here the outermost union takes the solids
- * wherever there are some.
+ * OpenSCAD does not mix two and three dimensions: among the children of a node the first one
+ * decides and those that differ are dropped with a warning. Here the outermost union takes the
+ * solids wherever there are some.
  */
 #include "scene/walk.h"
 

@@ -5,8 +5,8 @@
 
 /* A node whose children are being read. */
 struct frame {
-    uint32_t node, end;  /* in the document */
-    uint32_t draw;       /* in the drawing */
+    uint32_t node, end; /* in the document */
+    uint32_t draw;      /* in the drawing */
     struct csg_space space;
 };
 
@@ -60,8 +60,8 @@ static bool open_node(struct reader *reader, uint32_t node)
     frame.node = node;
     frame.end = csg_walk_node(reader->walk, node)->end;
     frame.draw = (uint32_t)reader->drawing->nodes.num;
-    frame.space.in_boolean |= meaning->role == CSG_ROLE_DIFFERENCE ||
-                              meaning->role == CSG_ROLE_INTERSECTION;
+    frame.space.in_boolean |=
+        meaning->role == CSG_ROLE_DIFFERENCE || meaning->role == CSG_ROLE_INTERSECTION;
     if (!enter_space(reader, node, &frame.space))
         return false;
     return (csg_drawing_open(reader->drawing, op_of(meaning->role)) &&

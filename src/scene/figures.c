@@ -58,13 +58,11 @@ bool csg_figure_square(const struct csg_args *args, const struct csg_space *spac
     const struct csg_vec2 lo = {center ? -size[0] / 2 : 0, center ? -size[1] / 2 : 0};
     const struct csg_vec2 hi = {center ? size[0] / 2 : size[0], center ? size[1] / 2 : size[1]};
     const struct csg_box box = {{lo.x, lo.y, 0}, {hi.x, hi.y, 0}};
-    return finish(args,
-                  csg_drawing_add_figure(drawing, space_rounding(space, rounding, &box)) &&
-                      csg_drawing_add_contour(drawing) &&
-                      add_mapped(drawing, space, lo.x, lo.y) &&
-                      add_mapped(drawing, space, hi.x, lo.y) &&
-                      add_mapped(drawing, space, hi.x, hi.y) &&
-                      add_mapped(drawing, space, lo.x, hi.y));
+    return finish(
+        args, csg_drawing_add_figure(drawing, space_rounding(space, rounding, &box)) &&
+                  csg_drawing_add_contour(drawing) && add_mapped(drawing, space, lo.x, lo.y) &&
+                  add_mapped(drawing, space, hi.x, lo.y) &&
+                  add_mapped(drawing, space, hi.x, hi.y) && add_mapped(drawing, space, lo.x, hi.y));
 }
 
 /* ---- circle ------------------------------------------------------------------------------- */
@@ -74,8 +72,7 @@ static bool add_circle(struct csg_drawing *drawing, const struct csg_space *spac
     bool ok = csg_drawing_add_contour(drawing);
     for (int i = 0; i < n && ok; i++) {
         const double degrees = 360.0 * i / n;
-        ok = add_mapped(drawing, space, r * csg_cos_degrees(degrees),
-                        r * csg_sin_degrees(degrees));
+        ok = add_mapped(drawing, space, r * csg_cos_degrees(degrees), r * csg_sin_degrees(degrees));
     }
     return ok;
 }

@@ -19,8 +19,7 @@ static bool finish(struct csg_walk *walk, uint32_t node, struct csg_drawing *dra
     csg_walk_unsupported(walk, node, "%s: the drawing in it has too many corners",
                          csg_walk_ops(walk, node)->name);
     csg_drawing_cut(drawing, draw);
-    return csg_drawing_open(drawing, CSG_DRAW_UNION) ||
-           csg_log_memory(&walk->builder->report->log);
+    return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
 }
 
 bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -30,20 +29,20 @@ bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_arg
     return finish(walk, node, drawing, draw, csg_drawing_hull(drawing, draw));
 }
 
-/* r rounds the corners; delta mitres them, or with chamfer cuts them. Neither: r = 1 as in OpenSCAD.
+/* r rounds the corners; delta mitres them, or with chamfer cuts them. Neither: r = 1 as in
+ * OpenSCAD.
  */
 bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                         struct csg_drawing *drawing, uint32_t draw)
 {
     const struct csg_value *r = csg_args_find(args, "r"), *delta = csg_args_find(args, "delta");
     const struct csg_facets facets = csg_args_facets(args);
-    const bool is_round = (r && r->type == CSG_VALUE_NUMBER) ||
-                          !(delta && delta->type == CSG_VALUE_NUMBER);
+    const bool is_round =
+        (r && r->type == CSG_VALUE_NUMBER) || !(delta && delta->type == CSG_VALUE_NUMBER);
     struct csg_offset offset = {.join = CSG_JOIN_ROUND, .exact = !csg_facets_wanted(args, &facets)};
     offset.distance = csg_args_number(args, is_round ? "r" : "delta", 1, NULL);
     if (!is_round)
-        offset.join =
-            csg_args_bool(args, "chamfer", false) ? CSG_JOIN_SQUARE : CSG_JOIN_MITER;
+        offset.join = csg_args_bool(args, "chamfer", false) ? CSG_JOIN_SQUARE : CSG_JOIN_MITER;
     if (!isfinite(offset.distance))
         offset.distance = 0;
     const int num = csg_facets_count(&facets, fabs(offset.distance));

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * hull() and minkowski() of solids: of the corners that OpenSCAD's facets have, as in OpenSCAD. A
- * Minkowski sum distributes over unions, so operands are taken as unions of convex sets.
+ * hull() and minkowski() of solids: of the corners that OpenSCAD's facets have, as in OpenSCAD, but
+ * for cylinders side by side. A Minkowski sum distributes over unions, so operands are taken as
+ * unions of convex sets.
  */
 #include <stdlib.h>
 
+#include "plane/cylinders.h"
 #include "polyhedra/evaluate.h"
 #include "scene/compounds.h"
 #include "scene/parts.h"
@@ -33,13 +35,48 @@ static bool report(struct csg_walk *walk, uint32_t node, enum csg_hull_result re
     if (result == CSG_HULL_NO_MEMORY)
         return csg_log_memory(&walk->builder->report->log);
     if (result == CSG_HULL_MISSING)
-        csg_walk_unsupported(walk, node, "%s needs the Qhull library, which csgcast was built "
-                                         "without (Debian: libqhull-dev)",
+        csg_walk_unsupported(walk, node,
+                             "%s needs the Qhull library, which csgcast was built "
+                             "without (Debian: libqhull-dev)",
                              name);
     else if (result == CSG_HULL_FLAT)
         csg_walk_unsupported(walk, node, "%s: the Booleans in it have too many pieces", name);
     return true;
 }
+
+/* ---- cylinders side by side --------------------------------------------------------------- */
+
+static bool is_cylinder(const struct csg_walk *walk, uint32_t node)
+{
+    const struct csg_meaning *meaning = &walk->builder->meanings[node];
+    return meaning->role == CSG_ROLE_UNION ||
+           (meaning->role == CSG_ROLE_SOLID && meaning->kind == CSG_KIND_cylinder);
+}
+
+/*
+ * The hull of cylinders between the same two planes is the plane hull of their discs, extruded: the
+ * one that stays exact. taken: it was, and is in part.
+ */
+static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                           struct csg_part *part, bool *taken)
+{
+    const uint32_t end = csg_walk_node(walk, node)->end;
+    struct csg_part inner = {0};
+    bool ok = true, all = walk->depth == 0;
+    for (uint32_t i = node + 1; i < end && all; i++)
+        if (csg_is_left_out(walk->builder, i))
+            i = csg_walk_node(walk, i)->end - 1;
+        else
+            all = is_cylinder(walk, i);
+    if (all && walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN) {
+        ok = csg_part_read(walk, node + 1, end, in_boolean, true, &inner) &&
+             (csg_disc_hull(part, &inner, taken) || csg_log_memory(&walk->builder->report->log));
+    }
+    csg_part_finish(&inner);
+    return ok;
+}
+
+/* ---- facets ------------------------------------------------------------------------------- */
 
 /* The convex sets that the solids at [begin, end) are made of. is_there: nothing was reported. */
 static bool read_clusters(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_t end,
@@ -48,7 +85,7 @@ static bool read_clusters(struct csg_walk *walk, uint32_t node, uint32_t begin, 
 {
     struct csg_part inner = {0};
     enum csg_hull_result result = CSG_HULL_DONE;
-    bool ok = csg_part_read(walk, begin, end, in_boolean, &inner);
+    bool ok = csg_part_read(walk, begin, end, in_boolean, false, &inner);
     if (ok) {
         add_origin(origin, &inner);
         result = inner.is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(&inner, clusters);
@@ -68,8 +105,7 @@ static bool add_hull(struct csg_walk *walk, uint32_t node, const struct csg_poin
     shape.rounding = origin->rounding;
     shape.facetted = origin->facetted;
     if (result == CSG_HULL_DONE)
-        return csg_part_add(part, &shape, false) ||
-               csg_log_memory(&walk->builder->report->log);
+        return csg_part_add(part, &shape, false) || csg_log_memory(&walk->builder->report->log);
     csg_shape_finish(&shape);
     return result == CSG_HULL_FLAT || report(walk, node, result);
 }
@@ -79,8 +115,12 @@ bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_ar
 {
     struct csg_clusters clusters = {0};
     struct origin origin = {0};
-    bool is_there = false;
+    bool is_there = false, taken = false;
     (void)args;
+    if (!take_cylinders(walk, node, in_boolean, part, &taken))
+        return false;
+    if (taken)
+        return true;
     bool ok = read_clusters(walk, node, node + 1, csg_walk_node(walk, node)->end, in_boolean,
                             &clusters, &origin, &is_there);
     if (ok && is_there && clusters.corners.points.num > 0)
@@ -98,8 +138,8 @@ static bool add_sums(const struct csg_clusters *a, size_t i, const struct csg_cl
     const size_t a_begin = i ? a->ends.data[i - 1] : 0, b_begin = j ? b->ends.data[j - 1] : 0;
     for (size_t k = a_begin; k < a->ends.data[i]; k++)
         for (size_t l = b_begin; l < b->ends.data[j]; l++)
-            if (!csg_array_push(&sums->points, csg_add(a->corners.points.data[k],
-                                                       b->corners.points.data[l])))
+            if (!csg_array_push(&sums->points,
+                                csg_add(a->corners.points.data[k], b->corners.points.data[l])))
                 return false;
     return true;
 }

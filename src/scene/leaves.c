@@ -122,8 +122,8 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
     uint32_t *index = malloc((part->shapes.num + 1) * sizeof *index);
     if (!index)
         return csg_log_memory(&walk->builder->report->log);
-    const bool done = add_shapes(walk, node, space, part, index) &&
-                      add_tree(walk, node, part, index);
+    const bool done =
+        add_shapes(walk, node, space, part, index) && add_tree(walk, node, part, index);
     free(index);
     return done;
 }
@@ -136,8 +136,10 @@ static bool read_compound(struct walk *walk, uint32_t node, const struct csg_spa
     bool done = csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
                 ops->compound(&walk->base, node, &args, space->in_boolean, &part);
     if (done && part.is_too_large)
-        csg_walk_unsupported(&walk->base, node, "%s: it takes more than %d convex solids",
-                             ops->name, CSG_PART_MAX_SHAPES);
+        csg_walk_unsupported(
+            &walk->base, node,
+            "%s: it takes more than %d convex solids, or its numbers are too large", ops->name,
+            CSG_PART_MAX_SHAPES);
     else if (done)
         done = add_part(walk, node, space, &part);
     csg_part_finish(&part);

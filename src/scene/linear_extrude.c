@@ -25,8 +25,7 @@ static void read_height(const struct csg_args *args, struct extrusion *to)
     const struct csg_value *height = csg_args_find(args, "height");
     if (!height)
         height = csg_args_find(args, "h");
-    const bool has_height =
-        height && height->type == CSG_VALUE_NUMBER && isfinite(height->number);
+    const bool has_height = height && height->type == CSG_VALUE_NUMBER && isfinite(height->number);
     to->height = DEFAULT_HEIGHT;
     if (has_height) {
         to->height = height->number;
@@ -73,8 +72,9 @@ static bool is_unsupported(struct csg_walk *walk, uint32_t node, const struct ex
     if (twisted)
         csg_walk_unsupported(walk, node, "linear_extrude with twist is not supported yet");
     else if (uneven)
-        csg_walk_unsupported(walk, node, "linear_extrude with different scales along x and y is "
-                                         "not supported yet");
+        csg_walk_unsupported(walk, node,
+                             "linear_extrude with different scales along x and y is "
+                             "not supported yet");
     else if (extrusion->has_file)
         csg_walk_unsupported(walk, node, "linear_extrude of a file is not supported yet");
     return twisted || uneven || extrusion->has_file;

@@ -3,15 +3,15 @@
 #define CSG_SCENE_NODES_H
 
 /*
- * The nodes of a scene text that are no single solids. A new node is one row in the table of nodes.c:
- * its role in the Boolean tree, and what it does to its children.
+ * The nodes of a scene text that are no single solids. A new node is one row in the table of
+ * nodes.c: its role in the Boolean tree, and what it does to its children.
  */
 
 #include "common/linear.h"
 #include "solids/solid.h"
 
 enum csg_role {
-    CSG_ROLE_SOLID, /* a kind of csg_solids */
+    CSG_ROLE_SOLID,    /* a kind of csg_solids */
     CSG_ROLE_FIGURE,   /* two-dimensional: square, circle, polygon */
     CSG_ROLE_FLATTEN,  /* two-dimensional: makes a new drawing of the one in it */
     CSG_ROLE_COMPOUND, /* becomes several shapes; what is in it is read with it */

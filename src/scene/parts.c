@@ -15,6 +15,7 @@ struct frame {
 struct reader {
     struct csg_walk *walk;
     struct csg_part *part;
+    bool exact; /* quadrics are welcome */
     CSG_ARRAY(struct frame) frames;
 };
 
@@ -87,9 +88,9 @@ static bool read_solid(struct reader *reader, uint32_t node)
     if (!csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args))
         return false;
     const enum csg_read_result result = ops->read(&args, &shape);
-    const bool is_placed =
-        result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape);
-    const bool is_bounded = csg_box_is_finite(&shape.bounds) && !shape.has_quadric;
+    const bool is_placed = result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape);
+    const bool is_bounded =
+        csg_box_is_finite(&shape.bounds) && (!shape.has_quadric || reader->exact);
     if (is_placed && !is_bounded)
         csg_walk_unsupported(reader->walk, node,
                              "%s inside of hull or minkowski is not supported yet", ops->name);
@@ -161,18 +162,18 @@ static bool read_nodes(struct reader *reader, uint32_t begin, uint32_t end)
     return ok;
 }
 
-bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
+bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean, bool exact,
                    struct csg_part *part)
 {
-    struct reader reader = {.walk = walk, .part = part};
+    struct reader reader = {.walk = walk, .part = part, .exact = exact};
     struct frame root = {.end = end, .role = CSG_ROLE_UNION, .space = csg_space_world};
     const enum csgcast_facets facets = walk->builder->facets;
     root.space.in_boolean = in_boolean;
-    walk->builder->facets = CSGCAST_FACETS_AS_WRITTEN;
-    const bool ok =
-        csg_part_open(part, false) && csg_array_push(&reader.frames, root)
-            ? read_nodes(&reader, begin, end)
-            : no_memory(&reader);
+    if (!exact)
+        walk->builder->facets = CSGCAST_FACETS_AS_WRITTEN;
+    const bool ok = csg_part_open(part, false) && csg_array_push(&reader.frames, root)
+                        ? read_nodes(&reader, begin, end)
+                        : no_memory(&reader);
     walk->builder->facets = facets;
     free(reader.frames.data);
     return ok;

@@ -9,11 +9,11 @@
 #define CSG_PARTS_MAX_DEPTH 64
 
 /*
- * Reads the union of the solids at [begin, end), neighbours in one node, as OpenSCAD's facets: no
- * shape has a quadric. What has none and cannot be facetted is reported and left out. false, with a
- * message, when memory is out.
+ * Reads the union of the solids at [begin, end), neighbours in one node. Unless exact it is made of
+ * OpenSCAD's facets: no shape has a quadric, and what cannot be facetted is reported and left out.
+ * false, with a message, when memory is out.
  */
-bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
+bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean, bool exact,
                    struct csg_part *part);
 
 #endif

@@ -83,8 +83,8 @@ bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct 
     }
     if (result == CSG_MESH_TOO_LARGE)
         csg_walk_unsupported(walk, node,
-                             "polyhedron: %zu faces that are not convex; more than %d are not "
-                             "supported yet",
+                             "polyhedron: it has %zu faces; more than %d are not supported "
+                             "yet where it is not convex",
                              mesh.faces.num, CSG_MESH_MAX_FACES);
     csg_mesh_finish(&mesh);
     return ok && (result != CSG_MESH_NO_MEMORY || csg_log_memory(&walk->builder->report->log));

@@ -30,7 +30,7 @@ enum csg_feature {
 #define CSG_STRAIGHT_MAX_PLANES 8
 
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
-#define CSG_ALGORITHM4_MAX_CROSSINGS 256
+#define CSG_ALGORITHM4_MAX_CROSSINGS 192
 
 struct csg_text {
     char *data; /* zero-terminated; NULL when memory ran out */

@@ -165,7 +165,8 @@ static void check_drawing(struct csg_drawing *drawing, int seed)
     CHECK(num_wrong == 0, "seed %d: the outline misses %d of %d points", seed, num_wrong, num);
     /* 400 samples are good to about a tenth of the square: the orientation must be right. */
     const double area = outline_area(drawing), sampled = 22.0 * 22.0 * num_inside / num;
-    CHECK(fabs(area - sampled) < 0.1 * 22 * 22, "seed %d: area %g, sampled %g", seed, area, sampled);
+    CHECK(fabs(area - sampled) < 0.1 * 22 * 22, "seed %d: area %g, sampled %g", seed, area,
+          sampled);
 }
 
 static void test_random(void)

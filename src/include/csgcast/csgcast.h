@@ -250,7 +250,8 @@ struct csgcast_stats {
     double frame_ms;         /* the whole call */
     size_t objects_drawn;    /* the others are outside the view */
     size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
-    size_t hit_pixels;       /* pixels that show a solid */
+    size_t hit_pixels;       /* pixels that show a solid, where z or id was asked for */
+    size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
 };
 
 CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,

@@ -25,3 +25,18 @@ translate([0, 90, 0]) linear_extrude(height = 4) difference() {
 }
 translate([50, 100, 0]) rotate_extrude() polygon([[5, 0], [15, 0], [15, 4], [9, 6], [9, 12], [5, 14]]);
 translate([90, 100, 0]) rotate_extrude(angle = 220) translate([4, 0]) square([8, 5]);
+// Hulls of cylinders side by side are exact as well.
+translate([0, 140, 0]) hull() for (x = [0, 20], y = [0, 12]) translate([x, y, 0])
+    cylinder(r = 3, h = 6);
+translate([50, 140, 0]) rotate([30, 40, 10]) hull() {
+    cylinder(r = 8, h = 5, center = true);
+    translate([20, 3, 0]) cylinder(r = 4, h = 5, center = true);
+    translate([5, 1, 0]) cylinder(r = 1, h = 5, center = true);
+}
+translate([90, 140, 0]) difference() {
+    hull() {
+        cylinder(r = 8, h = 5);
+        translate([20, 3, 0]) rotate([180, 0, 0]) translate([0, 0, -5]) cylinder(r = 8, h = 5);
+    }
+    translate([0, 0, -1]) cylinder(r = 4, h = 10);
+}
