@@ -43,7 +43,12 @@ add_library(csgcast::csgcast ALIAS csgcast)
 target_include_directories(csgcast PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(csgcast PRIVATE $<BUILD_INTERFACE:${qhull_library}> m dl pthread $<BUILD_INTERFACE:csgcast_compiler>)
+# By name where it is installed: a static libcsgcast hands it on to its users.
+target_link_libraries(csgcast PRIVATE $<BUILD_INTERFACE:${qhull_library}> m dl pthread
+    $<BUILD_INTERFACE:csgcast_compiler>)
+if(qhull_library)
+    target_link_libraries(csgcast PRIVATE $<INSTALL_INTERFACE:qhull_r>)
+endif()
 if(NOT CSGCAST_SANITIZE) # the sanitizers' runtime comes with the executable
     target_link_options(csgcast PRIVATE -Wl,--no-undefined)
 endif()
