@@ -10,11 +10,6 @@ const struct csg_box csg_box_empty = {{INFINITY, INFINITY, INFINITY},
 const struct csg_box csg_box_all = {{-INFINITY, -INFINITY, -INFINITY},
                                     {INFINITY, INFINITY, INFINITY}};
 
-struct csg_map csg_map_translation(struct csg_vec3 by)
-{
-    return (struct csg_map){{{1, 0, 0, by.x}, {0, 1, 0, by.y}, {0, 0, 1, by.z}}};
-}
-
 struct csg_map csg_map_scaling(struct csg_vec3 by)
 {
     return (struct csg_map){{{by.x, 0, 0, 0}, {0, by.y, 0, 0}, {0, 0, by.z, 0}}};

@@ -65,7 +65,6 @@ static inline struct csg_vec3 csg_normalize(struct csg_vec3 a)
 
 extern const struct csg_map csg_map_identity;
 
-struct csg_map csg_map_translation(struct csg_vec3 by);
 struct csg_map csg_map_scaling(struct csg_vec3 by);
 
 /* The map that applies b first, then a. */

@@ -8,6 +8,16 @@ struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
     return csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
 }
 
+const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
+                                          const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF && !nodes[i].negated)
+            return &scene->leaves[nodes[i].leaf];
+    return NULL;
+}
+
 static struct csg_box node_box(const struct csg_tree *tree, const struct csg_box *boxes,
                                uint32_t i)
 {

@@ -26,6 +26,10 @@ struct csg_objects {
  */
 bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects);
 
+/* The object's first solid that is not subtracted: what its cuts were made in; NULL: none. */
+const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
+                                          const struct csg_object *object);
+
 /* The box of one leaf in world space. */
 struct csg_box csg_leaf_box(const struct csg_leaf *leaf);
 

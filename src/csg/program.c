@@ -69,14 +69,18 @@ static bool expand(struct compiler *compiler, struct task task)
     return push_task(compiler, first, task.flags);
 }
 
+uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node)
+{
+    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
+    return (node->negated ? CSG_RECORD_NEGATED : 0) |
+           (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
+           (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
+}
+
 static bool emit_leaf(struct compiler *compiler, struct task task)
 {
     const struct csg_node *node = &compiler->tree->data[task.node];
-    const struct csg_shape *shape = &compiler->scene->leaves[node->leaf].shape;
-    uint32_t flags = task.flags;
-    flags |= node->negated ? CSG_RECORD_NEGATED : 0;
-    flags |= shape->has_quadric ? CSG_RECORD_QUADRIC : 0;
-    flags |= shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0;
+    const uint32_t flags = task.flags | csg_node_flags(compiler->scene, node);
     return csg_array_push(compiler->program, ((struct csg_step){node->leaf, flags}));
 }
 

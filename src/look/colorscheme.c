@@ -46,8 +46,14 @@ const struct csg_colorscheme *csg_colorscheme_find(const char *name)
 }
 
 void csg_face_color(const struct csg_colorscheme *scheme, const struct csg_leaf *leaf,
-                    enum csg_layer layer, bool cut, float rgba[4])
+                    const struct csg_leaf *minuend, enum csg_layer layer, bool subtracted,
+                    float rgba[4])
 {
+    bool cut = subtracted != leaf->is_hole;
+    if (cut && minuend) {
+        leaf = minuend;
+        cut = false;
+    }
     const float *base = cut ? scheme->cut : scheme->face;
     const float opaque[4] = {base[0], base[1], base[2], 1};
     const float *fallback = layer == CSG_LAYER_HIGHLIGHT    ? csg_highlight_color

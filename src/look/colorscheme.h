@@ -21,11 +21,13 @@ extern const float csg_background_color[4];
 extern const float csg_highlight_color[4];
 
 /*
- * The colour of a leaf's face before shading. cut: the leaf is subtracted. r g b a; a component
- * that color() leaves negative takes the scheme's.
+ * The colour of a leaf's face before shading. subtracted: the leaf is. Its faces are then cuts, and
+ * take minuend's colour where that is not NULL. r g b a; a component that color() leaves negative
+ * takes the scheme's.
  */
 void csg_face_color(const struct csg_colorscheme *scheme, const struct csg_leaf *leaf,
-                    enum csg_layer layer, bool cut, float rgba[4]);
+                    const struct csg_leaf *minuend, enum csg_layer layer, bool subtracted,
+                    float rgba[4]);
 
 /*
  * OpenSCAD's light (GLView.cc): two opposite directional lights in eye space, two-sided. The

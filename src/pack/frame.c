@@ -90,16 +90,22 @@ static struct csg_pixel reference_pixel(const struct csg_screen *screen, const s
     return (struct csg_pixel){floor(0.5 * screen->width), floor(0.5 * screen->height)};
 }
 
+void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
+                       const struct csg_rect *rect)
+{
+    const double size[2] = {screen->width, screen->height};
+    for (int i = 0; i < 2; i++) {
+        draw->instance.rect[i] = (float)(2 * rect->lo[i] / size[i] - 1);
+        draw->instance.rect[2 + i] = (float)(2 * rect->hi[i] / size[i] - 1);
+    }
+}
+
 /* The object in one rectangle, all records as planned. */
 static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct csg_draw *draw)
 {
     struct csg_frame *frame = packer->frame;
     const struct csg_plan *plan = packer->scene->plan;
-    const double size[2] = {frame->screen.width, frame->screen.height};
-    for (int i = 0; i < 2; i++) {
-        draw->instance.rect[i] = (float)(2 * rect->lo[i] / size[i] - 1);
-        draw->instance.rect[2 + i] = (float)(2 * rect->hi[i] / size[i] - 1);
-    }
+    csg_draw_set_rect(draw, &frame->screen, rect);
     draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
     for (uint32_t i = plan->begin[draw->object]; i < plan->begin[draw->object + 1]; i++)
         if (!csg_terms_add_record(&packer->terms, &plan->program.data[i], NULL))
@@ -126,7 +132,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.stiff = packer->terms.stiff;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
     if (index != CSG_WHOLE_LAYER &&
-        packer->params->whole(packer->scene, index, packer->params->user))
+        packer->params->whole(index, packer->params->user))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
     return csg_tile_object(&packer->terms, object, &rect, &draw);

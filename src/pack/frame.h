@@ -43,12 +43,16 @@ struct csg_frame_params {
     const struct csg_colorscheme *scheme;
     enum csgcast_cut_color cut_color;
     /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */
-    bool (*whole)(const struct csgcast_scene *scene, size_t object, const void *user);
+    bool (*whole)(size_t object, const void *user);
     const void *user;
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */
 #define CSG_WHOLE_LAYER UINT32_MAX
+
+/* Puts a rectangle in pixels into the draw's instance, in clip space. */
+void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
+                       const struct csg_rect *rect);
 
 /* Refills frame (zeroed before the first use). false: out of memory. */
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,

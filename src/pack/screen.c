@@ -102,11 +102,6 @@ double csg_screen_key(const struct csg_screen *screen, double t)
     return screen->orthographic ? t - screen->a : screen->a - screen->b / t;
 }
 
-double csg_screen_distance(const struct csg_screen *screen, double k)
-{
-    return screen->orthographic ? k + screen->a : screen->b / (screen->a - k);
-}
-
 /* Continuous pixel coordinates of a point; false at or behind the eye plane. */
 static bool project(const struct csg_screen *screen, struct csg_vec3 p, double pixel[2])
 {

@@ -53,9 +53,8 @@ struct csg_rect {
 struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct csg_map *frame,
                                 const struct csg_box *box);
 
-/* From distance along the view axis to key and back. */
+/* The key of a distance along the view axis. */
 double csg_screen_key(const struct csg_screen *screen, double t);
-double csg_screen_distance(const struct csg_screen *screen, double k);
 
 /* Keys of planes are smaller than this, so that CSG_KEY_MAX + key is CSG_KEY_MAX in float. */
 #define CSG_PLANE_KEY_MAX 1e20

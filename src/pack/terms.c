@@ -9,7 +9,8 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
 {
     *terms = (struct csg_terms){.frame = frame, .scene = scene, .params = params};
     terms->index = malloc((scene->num_leaves + 1) * sizeof *terms->index);
-    return terms->index != NULL;
+    terms->known = malloc(scene->num_leaves + 1);
+    return terms->index && terms->known;
 }
 
 void csg_terms_finish(struct csg_terms *terms)
@@ -17,6 +18,7 @@ void csg_terms_finish(struct csg_terms *terms)
     free(terms->leaves.data);
     free(terms->texels.data);
     free(terms->index);
+    free(terms->known);
 }
 
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
@@ -29,29 +31,14 @@ float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
     return texels;
 }
 
-/* A subtracted solid's face as the colour of what it cuts: the first solid of the object that is
- * not subtracted. */
-static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
-                                         const struct csg_object *object)
-{
-    const struct csg_node *nodes = scene->trees[object->layer].data;
-    for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !nodes[i].negated)
-            return &scene->leaves[nodes[i].leaf];
-    return NULL;
-}
-
 static void face_color(const struct csg_terms *terms, const struct csg_object *object,
                        const struct csg_node *node, float rgba[4])
 {
     const struct csg_leaf *leaf = &terms->scene->leaves[node->leaf];
-    bool cut = node->negated != leaf->is_hole;
-    if (cut && terms->params->cut_color == CSGCAST_CUT_MINUEND) {
-        const struct csg_leaf *minuend = minuend_of(terms->scene, object);
-        leaf = minuend ? minuend : leaf;
-        cut = minuend == NULL;
-    }
-    csg_face_color(terms->params->scheme, leaf, object->paint, cut, rgba);
+    const struct csg_leaf *minuend = terms->params->cut_color == CSGCAST_CUT_MINUEND
+                                         ? csg_object_minuend(terms->scene, object)
+                                         : NULL;
+    csg_face_color(terms->params->scheme, leaf, minuend, object->paint, node->negated, rgba);
 }
 
 static void put_normal(float texel[4], struct csg_vec3 normal, double sign, float block)
@@ -134,9 +121,7 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
     leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
     leaf.num_exits = num_planes - leaf.num_entries;
-    leaf.flags = (node->negated ? CSG_RECORD_NEGATED : 0) |
-                 (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
-                 (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
+    leaf.flags = csg_node_flags(terms->scene, node);
     if (shape->has_quadric)
         terms->stiff |= put_quadric(terms, node, texels + num_planes, normals, mark);
     terms->translucent |= attributes[CSG_ATTRIBUTE_COLOR][3] < 1;

@@ -20,6 +20,7 @@ struct csg_terms {
     CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
     CSG_ARRAY(float) texels;                 /* four floats each */
     uint32_t *index;  /* scene leaf -> leaves; valid for the object's leaves */
+    uint8_t *known;   /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
 };
 

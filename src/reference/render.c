@@ -36,24 +36,16 @@ struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int 
     return (struct csg_ray){eye, combine(frustum, sx, sy, 1), 0};
 }
 
-/* The first solid of the object that is not subtracted: as in pack/frame.c. */
+/* The minuend of the object that the hit leaf is in. */
 static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
                                          const struct csg_hit *hit)
 {
     const struct csg_tree *tree = &scene->trees[hit->layer];
     for (size_t i = 0; i < scene->objects->num; i++) {
         const struct csg_object *object = &scene->objects->data[i];
-        const struct csg_leaf *first = NULL;
-        bool has_leaf = false;
-        for (uint32_t j = object->begin; object->layer == hit->layer && j < object->end; j++) {
-            if (tree->data[j].op != CSG_LEAF)
-                continue;
-            has_leaf |= tree->data[j].leaf == hit->leaf;
-            if (!first && !tree->data[j].negated)
-                first = &scene->leaves[tree->data[j].leaf];
-        }
-        if (has_leaf)
-            return first;
+        for (uint32_t j = object->begin; object->layer == hit->layer && j < object->end; j++)
+            if (tree->data[j].op == CSG_LEAF && tree->data[j].leaf == hit->leaf)
+                return csg_object_minuend(scene, object);
     }
     return NULL;
 }
@@ -62,13 +54,9 @@ static const struct csg_leaf *minuend_of(const struct csgcast_scene *scene,
 static void shade(const struct job *job, const struct csg_hit *hit, float rgba[4])
 {
     const struct csg_leaf *leaf = &job->scene->leaves[hit->leaf];
-    bool cut = hit->cut != leaf->is_hole;
-    if (cut && job->params->cut_color == CSGCAST_CUT_MINUEND) {
-        const struct csg_leaf *minuend = minuend_of(job->scene, hit);
-        leaf = minuend ? minuend : leaf;
-        cut = minuend == NULL;
-    }
-    csg_face_color(job->params->scheme, leaf, hit->layer, cut, rgba);
+    const struct csg_leaf *minuend =
+        job->params->cut_color == CSGCAST_CUT_MINUEND ? minuend_of(job->scene, hit) : NULL;
+    csg_face_color(job->params->scheme, leaf, minuend, hit->layer, hit->cut, rgba);
     const double light = csg_light_factor(job->params->frustum, hit->normal);
     for (int i = 0; i < 3; i++)
         rgba[i] = (float)fmin(rgba[i] * light, 1);

@@ -32,11 +32,10 @@ static struct csg_structure structure_of(const struct csg_request *request, uint
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-bool csg_draws_whole(const struct csgcast_scene *scene, size_t object, const void *user)
+bool csg_draws_whole(size_t object, const void *user)
 {
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
-    (void)scene;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
     return csg_structure_is_small(&structure);

@@ -33,7 +33,7 @@ struct csg_request {
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request);
 
 /* Whether an object is drawn in one piece; user is the struct csg_request. */
-bool csg_draws_whole(const struct csgcast_scene *scene, size_t object, const void *user);
+bool csg_draws_whole(size_t object, const void *user);
 
 /* Objects of enum csg_resolver's kinds drawn, for the statistics. */
 struct csg_batch {

@@ -28,7 +28,6 @@ struct tiler {
     CSG_ARRAY(bool) planes;
     CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
     CSG_ARRAY(double) candidates;
-    uint8_t *known;                          /* by scene leaf */
     struct csg_program program;
 };
 
@@ -165,7 +164,7 @@ static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
-            tiler->known[node->leaf] = judge(&tiler->leaves.data[i], contexts[i]);
+            tiler->terms->known[node->leaf] = judge(&tiler->leaves.data[i], contexts[i]);
             continue;
         }
         struct csg_range inside = contexts[i];
@@ -234,16 +233,6 @@ static bool add_record(struct tiler *tiler, const struct csg_step *step,
     return csg_terms_add_record(tiler->terms, step, &filter);
 }
 
-static void set_rect(struct csg_draw *draw, const struct task *task,
-                     const struct csg_screen *screen)
-{
-    const double size[2] = {screen->width, screen->height};
-    for (int i = 0; i < 2; i++) {
-        draw->instance.rect[i] = (float)(2 * task->lo[i] / size[i] - 1);
-        draw->instance.rect[2 + i] = (float)(2 * task->hi[i] / size[i] - 1);
-    }
-}
-
 static bool emit(struct tiler *tiler, const struct task *task)
 {
     struct csg_frame *frame = tiler->terms->frame;
@@ -257,7 +246,8 @@ static bool emit(struct tiler *tiler, const struct task *task)
         if (!add_record(tiler, &tiler->program.data[i], &box))
             return false;
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
-    set_rect(&draw, task, &frame->screen);
+    const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
+    csg_draw_set_rect(&draw, &frame->screen, &rect);
     frame->proxy_pixels += (size_t)(task->hi[0] - task->lo[0]) * (size_t)(task->hi[1] - task->lo[1]);
     return draw.instance.records[0] == draw.instance.records[1] ||
            csg_array_push(&frame->draws, draw);
@@ -269,7 +259,7 @@ static bool run(struct tiler *tiler, struct task *task)
         return false;
     fill_ranges(tiler, task);
     judge_leaves(tiler, &task->tree);
-    if (!csg_tree_simplify(&task->tree, tiler->known))
+    if (!csg_tree_simplify(&task->tree, tiler->terms->known))
         return false;
     if (task->tree.num == 0)
         return true;
@@ -313,8 +303,7 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
         whole.lo[i] = (int)floor(rect->lo[i]);
         whole.hi[i] = (int)ceil(rect->hi[i]);
     }
-    tiler.known = calloc(terms->scene->num_leaves + 1, sizeof *tiler.known);
-    bool ok = tiler.known && object_tree(terms->scene, object, &whole.tree);
+    bool ok = object_tree(terms->scene, object, &whole.tree);
     if (ok && !csg_array_push(&tiler.tasks, whole)) {
         free(whole.tree.data);
         ok = false;
@@ -327,7 +316,6 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.planes.data);
     free(tiler.values.data);
     free(tiler.candidates.data);
-    free(tiler.known);
     free(tiler.program.data);
     return ok;
 }
