@@ -78,14 +78,7 @@ static bool make_corners(struct tracer *tracer, struct slab below, struct slab a
 static uint32_t find_corner(const struct tracer *tracer, uint32_t edge, uint32_t level)
 {
     const double x = csg_sweep_x(&tracer->sweep, edge, level);
-    size_t low = 0, high = tracer->xs.num;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (tracer->xs.data[middle] <= x)
-            low = middle;
-        else
-            high = middle;
-    }
+    const size_t low = csg_sweep_last_up_to(tracer->xs.data, tracer->xs.num, x);
     return (uint32_t)(tracer->corners.num - tracer->xs.num + low);
 }
 

@@ -129,18 +129,23 @@ static void merge_levels(struct csg_sweep *sweep, double noise)
     sweep->levels.num = num;
 }
 
-/* The last level that is not above y. */
-static uint32_t find_level(const struct csg_sweep *sweep, double y)
+size_t csg_sweep_last_up_to(const double *values, size_t num, double limit)
 {
-    size_t low = 0, high = sweep->levels.num;
+    size_t low = 0, high = num;
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
-        if (sweep->levels.data[middle] <= y)
+        if (values[middle] <= limit)
             low = middle;
         else
             high = middle;
     }
-    return (uint32_t)low;
+    return low;
+}
+
+/* The last level that is not above y. */
+static uint32_t find_level(const struct csg_sweep *sweep, double y)
+{
+    return (uint32_t)csg_sweep_last_up_to(sweep->levels.data, sweep->levels.num, y);
 }
 
 /* Edges within one level are horizontal after all. */

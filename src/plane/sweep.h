@@ -54,4 +54,7 @@ void csg_sweep_finish(struct csg_sweep *sweep);
 /* x of an edge at one of its levels: where a corner is there, its very x. */
 double csg_sweep_x(const struct csg_sweep *sweep, uint32_t edge, uint32_t level);
 
+/* Index of the last of num ascending values that is not above limit; 0 where all are. */
+size_t csg_sweep_last_up_to(const double *values, size_t num, double limit);
+
 #endif

@@ -6,18 +6,6 @@
 
 const struct map map_identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-struct map map_multiply(const struct map *a, const struct map *b)
-{
-    struct map c;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++) {
-            c.m[i][j] = j == 3 ? a->m[i][3] : 0;
-            for (int k = 0; k < 3; k++)
-                c.m[i][j] += a->m[i][k] * b->m[k][j];
-        }
-    return c;
-}
-
 struct map map_scale(double x, double y, double z)
 {
     return (struct map){{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}}};

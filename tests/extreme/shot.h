@@ -22,7 +22,6 @@ struct part {
 };
 
 extern const struct map map_identity;
-struct map map_multiply(const struct map *a, const struct map *b);
 struct map map_scale(double x, double y, double z);
 struct map map_move(double x, double y, double z);
 struct map map_turn(struct dice *dice); /* any rotation */

@@ -362,7 +362,7 @@ void map_put(struct text *text, const struct map *map, enum text_digits digits)
     text_put(text, "[0, 0, 0, 1]]) ");
 }
 
-static struct map multiply(const struct map *a, const struct map *b)
+struct map map_multiply(const struct map *a, const struct map *b)
 {
     struct map c;
     for (int i = 0; i < 3; i++)
@@ -406,7 +406,7 @@ void flat_put(struct text *text, const struct flat *flat, const struct style *st
     if (style->each && style->nested)
         map_put(text, style->each, style->digits);
     else if (style->each)
-        product = multiply(style->each, &own);
+        product = map_multiply(style->each, &own);
     map_put(text, &product, style->digits);
     if (flat->alias) {
         struct ideal_solid solid = {0};

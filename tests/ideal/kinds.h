@@ -51,6 +51,9 @@ void flat_put(struct text *text, const struct flat *flat, const struct style *st
 /* The same by construction. */
 struct ideal_solid flat_ideal(const struct flat *flat);
 
+/* The map that applies b first, then a. */
+struct map map_multiply(const struct map *a, const struct map *b);
+
 void map_put(struct text *text, const struct map *map, enum text_digits digits);
 
 #endif

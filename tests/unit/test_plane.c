@@ -7,22 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "check.h"
 #include "plane/hull.h"
 #include "plane/offset.h"
 #include "plane/outline.h"
 #include "plane/piece.h"
-
-static int num_failed;
-
-#define CHECK(condition, ...)                                                                      \
-    do {                                                                                           \
-        if (!(condition)) {                                                                        \
-            num_failed++;                                                                          \
-            fprintf(stderr, "%s:%d: %s: ", __FILE__, __LINE__, #condition);                        \
-            fprintf(stderr, __VA_ARGS__);                                                          \
-            fputc('\n', stderr);                                                                   \
-        }                                                                                          \
-    } while (0)
 
 static unsigned long long state = 42;
 
