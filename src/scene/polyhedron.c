@@ -70,22 +70,30 @@ static bool warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_
     return !out_of_memory || csg_log_memory(&walk->builder->report->log);
 }
 
+bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *mesh,
+                        struct csg_part *part)
+{
+    enum csg_mesh_result result = CSG_MESH_DONE;
+    bool ok = true;
+    if (mesh->faces.num > 0) {
+        ok = warn_of_gaps(walk, node, mesh);
+        result = csg_mesh_decompose(mesh, part);
+    }
+    if (result == CSG_MESH_TOO_LARGE)
+        csg_walk_unsupported(walk, node,
+                             "%s: it has %zu faces; more than %d are not supported "
+                             "yet where it is not convex",
+                             csg_walk_ops(walk, node)->name, mesh->faces.num, CSG_MESH_MAX_FACES);
+    return ok && (result != CSG_MESH_NO_MEMORY || csg_log_memory(&walk->builder->report->log));
+}
+
 bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                              bool in_boolean, struct csg_part *part)
 {
     struct csg_mesh mesh = {0};
-    enum csg_mesh_result result = CSG_MESH_DONE;
     (void)in_boolean;
-    bool ok = csg_polyhedron_read(args, &mesh);
-    if (ok && mesh.faces.num > 0) {
-        ok = warn_of_gaps(walk, node, &mesh);
-        result = csg_mesh_decompose(&mesh, part);
-    }
-    if (result == CSG_MESH_TOO_LARGE)
-        csg_walk_unsupported(walk, node,
-                             "polyhedron: it has %zu faces; more than %d are not supported "
-                             "yet where it is not convex",
-                             mesh.faces.num, CSG_MESH_MAX_FACES);
+    const bool ok =
+        csg_polyhedron_read(args, &mesh) && csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
-    return ok && (result != CSG_MESH_NO_MEMORY || csg_log_memory(&walk->builder->report->log));
+    return ok;
 }
