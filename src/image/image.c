@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/log.h"
+#include "common/destination.h"
 #include "image/module.h"
 
 #ifndef CSGCAST_MODULE_DIR
@@ -28,7 +28,6 @@
 
 enum {
     MAX_FORMAT = 16,       /* characters of an extension, with its end */
-    MAX_TEMPORARIES = 100, /* names tried before giving up */
     MAX_CHANNELS = 9,      /* R G B A Z N.X N.Y N.Z id */
 };
 
@@ -169,144 +168,6 @@ void csgcast_image_preload(void)
 
 #endif
 
-/* ---- where the bytes go ---- */
-
-struct destination {
-    const char *path; /* as the caller names it, for messages */
-    const struct csg_log *log;
-    char target[PATH_MAX];         /* renamed to; empty: a stream */
-    char temporary[PATH_MAX + 64]; /* encoded to; empty when there is none */
-    int stream;                    /* file descriptor to copy to, or -1 */
-    mode_t mode;                   /* of a file that is replaced; 0: a new one */
-};
-
-static bool fail(const struct destination *to, const char *reason)
-{
-    csg_log_error(to->log, CSGCAST_MESSAGE_FILE, "%s: %s", to->path, reason);
-    return false;
-}
-
-/* A device or pipe is written to: a rename would replace it by a file. */
-static bool open_stream(struct destination *to)
-{
-    to->stream = open(to->path, O_WRONLY | O_CLOEXEC);
-    return to->stream >= 0 || fail(to, strerror(errno));
-}
-
-static bool find_existing(struct destination *to, const struct stat *status)
-{
-    if (S_ISDIR(status->st_mode))
-        return fail(to, "is a directory");
-    if (!S_ISREG(status->st_mode))
-        return open_stream(to);
-    if (access(to->path, W_OK) != 0 || !realpath(to->path, to->target))
-        return fail(to, strerror(errno));
-    to->mode = status->st_mode & 0777;
-    return true;
-}
-
-static bool find_target(struct destination *to)
-{
-    struct stat status;
-    if (!strcmp(to->path, "-")) {
-        to->stream = STDOUT_FILENO;
-        return true;
-    }
-    if (stat(to->path, &status) == 0)
-        return find_existing(to, &status);
-    if (errno != ENOENT)
-        return fail(to, strerror(errno));
-    if (strlen(to->path) >= sizeof to->target)
-        return fail(to, strerror(ENAMETOOLONG));
-    strcpy(to->target, to->path);
-    return true;
-}
-
-/* The folder of the target, whose file system the rename needs; any for a stream. Ends with /. */
-static void find_folder(const struct destination *to, char folder[PATH_MAX])
-{
-    const char *slash = strrchr(to->target, '/');
-    const char *temporary = getenv("TMPDIR");
-    if (!to->target[0])
-        snprintf(folder, PATH_MAX, "%s/", temporary && *temporary ? temporary : "/tmp");
-    else if (slash)
-        snprintf(folder, PATH_MAX, "%.*s", (int)(slash - to->target) + 1, to->target);
-    else
-        strcpy(folder, "./");
-}
-
-/* Keeps the extension: some formats go by it. */
-static bool make_temporary(struct destination *to, const char *format)
-{
-    char folder[PATH_MAX];
-    find_folder(to, folder);
-    const mode_t mode = to->target[0] ? 0666 : 0600; /* less what umask takes away */
-    int file = -1;
-    for (int i = 0; i < MAX_TEMPORARIES && file < 0; i++) {
-        snprintf(to->temporary, sizeof to->temporary, "%s.csgcast-%ld-%d.%s", folder,
-                 (long)getpid(), i, format);
-        file = open(to->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file < 0 && errno != EEXIST)
-            break;
-    }
-    if (file >= 0) {
-        if (to->mode)
-            fchmod(file, to->mode);
-        close(file);
-        return true;
-    }
-    to->temporary[0] = '\0';
-    csg_log_error(to->log, CSGCAST_MESSAGE_FILE, "%s: cannot create a file in %s: %s", to->path,
-                  folder, strerror(errno));
-    return false;
-}
-
-static bool write_all(int file, const char *bytes, size_t size)
-{
-    while (size > 0) {
-        const ssize_t written = write(file, bytes, size);
-        if (written < 0 && errno != EINTR)
-            return false;
-        bytes += written > 0 ? written : 0;
-        size -= written > 0 ? (size_t)written : 0;
-    }
-    return true;
-}
-
-static bool copy_to_stream(const struct destination *to)
-{
-    char bytes[65536];
-    const int file = open(to->temporary, O_RDONLY | O_CLOEXEC);
-    bool ok = file >= 0;
-    ssize_t size = 0;
-    while (ok && (size = read(file, bytes, sizeof bytes)) > 0)
-        ok = write_all(to->stream, bytes, (size_t)size);
-    ok = ok && size == 0;
-    if (!ok)
-        fail(to, strerror(errno));
-    if (file >= 0)
-        close(file);
-    return ok;
-}
-
-static bool commit(struct destination *to)
-{
-    if (to->stream >= 0)
-        return copy_to_stream(to);
-    if (rename(to->temporary, to->target) != 0)
-        return fail(to, strerror(errno));
-    to->temporary[0] = '\0';
-    return true;
-}
-
-static void finish(struct destination *to)
-{
-    if (to->temporary[0])
-        unlink(to->temporary);
-    if (to->stream >= 0 && to->stream != STDOUT_FILENO)
-        close(to->stream);
-}
-
 /* ---- what is written ---- */
 
 static bool fail_argument(const struct csg_log *log, const char *path, const char *reason)
@@ -431,14 +292,14 @@ static int list_channels(const struct csgcast_image *image, size_t num_pixels, c
     return num;
 }
 
-static bool write_to(struct destination *to, struct csg_image_file *file)
+static bool write_to(struct csg_destination *to, struct csg_image_file *file)
 {
     struct csg_image_error error = {{0}};
-    if (!find_target(to) || !make_temporary(to, file->format))
+    if (!csg_destination_open(to, file->format))
         return false;
     file->path = to->temporary;
     if (write_with_module(file, &error))
-        return commit(to);
+        return csg_destination_commit(to);
     csg_log_error(to->log, CSGCAST_MESSAGE_IMAGE, "%s: %s", to->path, error.text);
     return false;
 }
@@ -463,8 +324,8 @@ bool csgcast_image_write(const char *path, int width, int height, const struct c
         return false;
     file.num_channels =
         list_channels(image, (size_t)width * (size_t)height, format, params, channels);
-    struct destination to = {.path = path, .log = &log, .stream = -1};
+    struct csg_destination to = {.path = path, .log = &log};
     const bool ok = write_to(&to, &file);
-    finish(&to);
+    csg_destination_close(&to);
     return ok;
 }
