@@ -34,7 +34,8 @@ static bool depth_agrees(const struct tolerance *tolerance, const struct pixel *
     if (!hit->found)
         return true;
     const double error = fabs(pixel->z - hit->t);
-    const double allowed = tolerance->depth * fabs(hit->t);
+    const double allowed =
+        tolerance->absolute > 0 ? tolerance->absolute : tolerance->depth * fabs(hit->t);
     const double slope = fmin(fabs(csg_dot(hit->normal, ray->dir)),
                               fabs(csg_dot(pixel->normal, ray->dir)));
     if (tolerance->sagitta == 0)
@@ -105,6 +106,7 @@ static void add_samples(const struct reference *reference, const struct pixel *p
     const double offset = error * fabs(csg_dot(hit->normal, ray->dir));
     samples->depths[samples->num_depths++] = error / fabs(hit->t);
     samples->normals[samples->num_normals++] = normal_error(reference, pixel);
+    result->max_error = fmax(result->max_error, error);
     result->max_offset = fmax(result->max_offset, offset);
     result->rms_offset += offset * offset;
     result->num_compared++;

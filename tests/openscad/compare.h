@@ -48,6 +48,7 @@ enum verdict {
 
 struct tolerance {
     double depth;    /* of z, relative */
+    double absolute; /* of z, scene units; above 0 it replaces depth */
     double rounding; /* scene units along the normal: what six digits in a .csg do to a surface */
     double sagitta;  /* scene units along the normal; 0: as written */
 };
@@ -59,6 +60,7 @@ struct comparison {
     size_t num_compared;                    /* hit by both, off the edges */
     double max_depth, p999_depth;           /* (z - z_ref) / z_ref */
     double max_normal, p999_normal;         /* degrees, to the next of the 3x3 pixels around */
+    double max_error;                       /* |z - z_ref| off the edges, scene units */
     double max_offset, rms_offset;          /* |z - z_ref| * |n . dir|, scene units */
     uint8_t *verdicts;                      /* width * height of enum verdict; the caller frees */
 };

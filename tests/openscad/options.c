@@ -51,6 +51,8 @@ static bool parse_threshold(const char *name, const char *value, struct options 
         return parse_number(value, &options->sagitta);
     if (strcmp(name, "depth") == 0)
         return parse_number(value, &options->depth);
+    if (strcmp(name, "depth-of-radius") == 0)
+        return parse_number(value, &options->depth_of_radius);
     if (strcmp(name, "normal") == 0)
         return parse_number(value, &options->normal);
     if (strcmp(name, "edge") == 0)

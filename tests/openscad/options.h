@@ -18,6 +18,7 @@ struct options {
     bool converge;
     double sagitta;   /* scene units; for --converge that of the first mesh */
     double depth;     /* relative error of z that is allowed */
+    double depth_of_radius; /* above 0: the allowed error is this part of the scene's radius */
     double normal;    /* degrees, of 99.9 % of the pixels; as-written only */
     double edge;      /* part of the edge pixels that may mismatch */
     double thin;      /* part of all hits that may be thin */

@@ -15,6 +15,7 @@
  *   --sagitta=S   exact facets: the true surface is within S scene units of the mesh
  *   --depth=E     allowed relative error of depth, 1e-5 (more only where a surface seen edge-on
  *                 is as far off along its normal as six digits in a .csg may put it)
+ *   --depth-of-radius=E   instead: E of the radius of the scene's box
  *   --normal=A    allowed angle of normals in degrees for 99.9 % of the pixels, 0.1 (as-written)
  *   --edge=P      part of the edge pixels that may mismatch, 0.02; exact facets: any
  *   --thin=P      part of the hits that may need a look 1/50 pixel aside, 0.002
@@ -122,6 +123,11 @@ static bool within_limits(const struct options *options, const struct comparison
            (exact || result->p999_normal <= options->normal);
 }
 
+static double radius_of(const struct csg_box *box)
+{
+    return csg_box_is_empty(box) ? 0 : csg_length(csg_sub(box->hi, box->lo)) / 2;
+}
+
 static void print_result(const struct session *session, const struct csgcast_view *view,
                          unsigned number, const struct comparison *result, bool ok)
 {
@@ -132,6 +138,8 @@ static void print_result(const struct session *session, const struct csgcast_vie
            result->num_edge_mismatches, result->num_edges, result->num_thin, result->num_off,
            result->num_depth, result->max_depth, result->p999_depth, result->max_normal,
            result->p999_normal);
+    if (session->options->depth_of_radius > 0)
+        printf(" | dz/r %.2g", result->max_error / radius_of(&session->bounds));
     if (session->options->sagitta > 0)
         printf(" | offset max %.3g rms %.3g of %.3g", result->max_offset, result->rms_offset,
                session->options->sagitta);
@@ -158,6 +166,7 @@ static bool compare_view(const struct session *session, struct caster *caster,
         .depth = options->depth,
         .rounding = csg_rounding * largest_coordinate(&session->bounds),
         .sagitta = options->sagitta,
+        .absolute = options->depth_of_radius * radius_of(&session->bounds),
     };
     if (!check_frustum(session, view, &frustum) ||
         !reference_init(reference, caster, &frustum, view->width, view->height))
