@@ -190,13 +190,14 @@ static bool build_layer(const struct csg_builder *builder, const struct layer_ru
 }
 
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               enum csgcast_facets facets, bool skip_unsupported, struct csg_report *report)
+               const struct csgcast_scene_params *params, struct csg_report *report)
 {
     struct csg_builder builder = {.document = document,
                                   .report = report,
                                   .scene = scene,
-                                  .facets = facets,
-                                  .skip_unsupported = skip_unsupported};
+                                  .facets = params->facets,
+                                  .skip_unsupported = params->skip_unsupported,
+                                  .directory = params->directory ? params->directory : "."};
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
                 csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)

@@ -34,6 +34,7 @@ struct csg_builder {
     struct csgcast_scene *scene;
     enum csgcast_facets facets;
     bool skip_unsupported;
+    const char *directory; /* where relative file names in the text start; "." at least */
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_tree parts;        /* the trees of the compounds, one behind the other */
@@ -44,7 +45,7 @@ struct csg_builder {
  * wrong is then left out of the scene. false, with a message, when memory is out.
  */
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               enum csgcast_facets facets, bool skip_unsupported, struct csg_report *report);
+               const struct csgcast_scene_params *params, struct csg_report *report);
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);

@@ -28,7 +28,7 @@ static bool fill(struct csgcast_scene *scene, const char *text, size_t size,
 {
     struct csg_document document;
     const bool done = csg_document_parse(&document, size > 0 ? text : "", size, report) &&
-                      csg_build(scene, &document, params->facets, params->skip_unsupported, report);
+                      csg_build(scene, &document, params, report);
     csg_document_finish(&document);
     return csg_report_finish(report) && done;
 }
@@ -98,6 +98,23 @@ static struct csgcast_scene *load_scad(const char *path, const struct csgcast_sc
     return scene;
 }
 
+/* The folder of a file, to be freed; NULL when memory is out. */
+static char *directory_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash && slash > path ? (size_t)(slash - path) : 1;
+    char *directory = malloc(length + 1);
+    if (directory)
+        snprintf(directory, length + 1, "%s", slash ? path : ".");
+    return directory;
+}
+
+static struct csgcast_scene *load(const char *path, const struct csgcast_scene_params *params,
+                                  const struct csg_log *log)
+{
+    return ends_with(path, ".scad") ? load_scad(path, params, log) : load_csg(path, params, log);
+}
+
 struct csgcast_scene *csgcast_scene_load(const char *path,
                                          const struct csgcast_scene_params *params)
 {
@@ -107,5 +124,16 @@ struct csgcast_scene *csgcast_scene_load(const char *path,
         csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a path");
         return NULL;
     }
-    return ends_with(path, ".scad") ? load_scad(path, used, &log) : load_csg(path, used, &log);
+    if (used->directory)
+        return load(path, used, &log);
+    struct csgcast_scene_params placed = *used;
+    char *directory = directory_of(path);
+    if (!directory) {
+        csg_log_memory(&log);
+        return NULL;
+    }
+    placed.directory = directory;
+    struct csgcast_scene *scene = load(path, &placed, &log);
+    free(directory);
+    return scene;
 }

@@ -89,6 +89,8 @@ struct csgcast_scene_params {
     bool skip_unsupported;       /* leave unsupported nodes out, with a warning for each */
     const char *const *defines;  /* num_defines texts "name=value", passed to openscad as -D */
     size_t num_defines;          /* default 0 */
+    const char *directory;       /* where relative file names in the scene start. NULL: that of the
+                                  * path; the working directory for text in memory and "-" */
     const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
     csgcast_log_fn *log;         /* NULL: standard error */
     void *log_user;              /* passed to log */
