@@ -26,7 +26,12 @@ void main()
 #endif
     vec4 head = csg_texel(place.x);
     bool plane = place.y < int(head.x) + int(head.y);
+#ifdef CSG_TEXTBOOK
+    int first = (int(head.z) & CSG_RECORD_QUADRIC) != 0 ? CSG_NORMAL_TERMS : 0;
+    int face = plane ? first + place.y : 0;
+#else
     int face = plane ? int(abs(csg_texel(place.x + 1 + place.y).w)) - 1 : 0;
+#endif
     int normal = int(head.w) * 4 + CSG_ATTRIBUTE_NORMALS + face;
     csg_visible = uvec2(floatBitsToUint(k), uint(normal + 1));
     gl_FragDepth = csg_depth(k) - csg_depth_bias;

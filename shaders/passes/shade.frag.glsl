@@ -23,7 +23,12 @@ void main()
     vec3 normal = face.xyz;
     if (face.w < 0.0) {
         vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+#ifdef CSG_TEXTBOOK
+        vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
+        normal += at.x * csg_texel(p + 1).xyz + at.y * csg_texel(p + 2).xyz + at.z * csg_texel(p + 3).xyz;
+#else
         normal += d.x * csg_texel(p + 1).xyz + d.y * csg_texel(p + 2).xyz + k * csg_texel(p + 3).xyz;
+#endif
         float size = length(normal);
         normal = size > 0.0 ? normal / size : vec3(0.0, 0.0, 1.0);
     }

@@ -131,8 +131,8 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
                   !(packer->terms.leaves.data[0].flags & (CSG_RECORD_GAP | CSG_RECORD_NEGATED));
     draw.stiff = packer->terms.stiff;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
-    if (index != CSG_WHOLE_LAYER &&
-        packer->params->whole(index, packer->params->user))
+    if (index != CSG_WHOLE_LAYER && (packer->params->textbook ||
+                                     packer->params->whole(index, packer->params->user)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
     return csg_tile_object(&packer->terms, object, &rect, &draw);
@@ -157,7 +157,7 @@ static bool starts_inside(const struct packer *packer, uint8_t layer)
 static bool add_layer(struct packer *packer, uint8_t layer)
 {
     const struct csg_objects *objects = packer->scene->objects;
-    if (starts_inside(packer, layer)) {
+    if (!packer->params->textbook && starts_inside(packer, layer)) {
         const struct csg_object whole = {
             layer, layer, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
@@ -195,6 +195,10 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &focus,
                     csg_box_is_finite(&scene->box));
     frame->at = reference_pixel(&frame->screen, &focus);
+    if (params->textbook) {
+        csg_screen_use_textbook(&frame->screen, &focus, csg_box_is_finite(&scene->box));
+        frame->at = (struct csg_pixel){0.5 * params->width, 0.5 * params->height};
+    }
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->proxy_pixels = 0;

@@ -45,6 +45,7 @@ struct csg_frame_params {
     /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */
     bool (*whole)(size_t object, const void *user);
     const void *user;
+    bool textbook; /* carriers as pack/textbook.h has them */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

@@ -97,8 +97,29 @@ void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *fr
     init_depth(screen, range, centred, bounded);
 }
 
+void csg_screen_use_textbook(struct csg_screen *screen, const struct csg_box *focus, bool bounded)
+{
+    double range[2] = {INFINITY, -INFINITY};
+    const bool known = !csg_box_is_empty(focus) && csg_box_is_finite(focus);
+    if (known)
+        depth_range(screen, focus, range);
+    if (!screen->orthographic)
+        range[0] = fmax(range[0], 0);
+    screen->textbook = true;
+    screen->a = 0;
+    screen->b = screen->scale = 1;
+    screen->k_far = CSG_KEY_MAX;
+    const bool seen = known && range[1] > range[0];
+    const double size = seen ? range[1] - range[0] : 1, margin = 0.01 * size;
+    screen->depth[0] = (float)(1 / (size + 2 * margin));
+    screen->depth[1] = seen ? (float)((margin - range[0]) / (size + 2 * margin)) : 0;
+    screen->depth[3] = seen && bounded ? 0 : 2;
+}
+
 double csg_screen_key(const struct csg_screen *screen, double t)
 {
+    if (screen->textbook)
+        return t;
     return screen->orthographic ? t - screen->a : screen->a - screen->b / t;
 }
 

@@ -25,6 +25,7 @@
 struct csg_screen {
     int width, height;
     bool orthographic;
+    bool textbook;       /* keys are t: pack/textbook.h */
     struct csg_vec3 origin, origin_dx, origin_dy;          /* ray origin; steps per pixel */
     struct csg_vec3 direction, direction_dx, direction_dy; /* at pixel coordinates (0, 0) */
     struct csg_vec3 forward;
@@ -42,6 +43,9 @@ struct csg_pixel {
 /* focus: decides where keys are finest; bounded: nothing that will be drawn is outside of it. */
 void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
                      int height, const struct csg_box *focus, bool bounded);
+
+/* Makes t itself the key, for the variant "textbook". focus and bounded as in csg_screen_init. */
+void csg_screen_use_textbook(struct csg_screen *screen, const struct csg_box *focus, bool bounded);
 
 /* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */
 struct csg_rect {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/terms.h"
 
+#include "pack/textbook.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,25 +62,27 @@ static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node 
     for (uint32_t i = 0; i < num; i++) {
         const struct csg_face face = carriers->faces[begin + i];
         const struct csg_plane *plane = &carriers->planes[face.carrier];
+        put_normal(normals[first_face + i], plane->normal, face.flipped != node->negated ? -1 : 1,
+                   block);
+        if (terms->params->textbook) {
+            csg_textbook_plane(plane, face.flipped, texels[num_entries++]);
+            continue;
+        }
         float texel[4];
         csg_screen_plane(&terms->frame->screen, terms->frame->at, plane, face.flipped, texel);
         /* Exits fill up from the back, so that both runs are contiguous. */
         const uint32_t slot = texel[3] > 0 ? num_entries++ : num - 1 - num_exits++;
         texel[3] *= (float)(first_face + i + 1);
         memcpy(texels[slot], texel, sizeof texel);
-        put_normal(normals[first_face + i], plane->normal, face.flipped != node->negated ? -1 : 1,
-                   block);
     }
     return num_entries;
 }
 
-static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
-                        float (*texels)[4], float (*normals)[4], float block)
+/* The crossings' terms. */
+static void put_crossings(const struct csg_terms *terms, uint32_t leaf, float (*texels)[4])
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
-    const struct csg_screen *screen = &terms->frame->screen;
-    const struct csg_face face = carriers->quadric_faces[node->leaf];
-    const struct csg_quadric *quadric = &carriers->quadrics[face.carrier];
+    const struct csg_face face = carriers->quadric_faces[leaf];
     const struct csg_box *box = &carriers->quadric_boxes[face.carrier];
     struct csg_vec3 center = {0, 0, 0};
     double radius = INFINITY;
@@ -86,15 +90,29 @@ static bool put_quadric(const struct csg_terms *terms, const struct csg_node *no
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(screen, terms->frame->at, quadric, face.flipped,
-                       terms->scene->leaves[node->leaf].shape.convex,
-                       carriers->sheets[node->leaf], center, radius, texels);
+    csg_screen_quadric(&terms->frame->screen, terms->frame->at, &carriers->quadrics[face.carrier],
+                       face.flipped, terms->scene->leaves[leaf].shape.convex,
+                       carriers->sheets[leaf], center, radius, texels);
+}
+
+static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
+                        float (*texels)[4], float (*normals)[4], float block)
+{
+    const struct csg_face face = terms->scene->carriers->quadric_faces[node->leaf];
+    const struct csg_quadric *quadric = &terms->scene->carriers->quadrics[face.carrier];
+    const bool textbook = terms->params->textbook;
     float normal[CSG_NORMAL_TERMS][3];
-    csg_screen_normal(screen, terms->frame->at, quadric, normal);
+    if (textbook) {
+        csg_textbook_quadric(quadric, face.flipped, texels);
+        csg_textbook_normal(quadric, normal);
+    } else {
+        put_crossings(terms, node->leaf, texels);
+        csg_screen_normal(&terms->frame->screen, terms->frame->at, quadric, normal);
+    }
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)
         put_normal(normals[i], csg_vec3(normal[i][0], normal[i][1], normal[i][2]),
                    face.flipped != node->negated ? -1 : 1, i == 0 ? -block : 0);
-    return (int)texels[0][3] & CSG_QUADRIC_STIFF;
+    return !textbook && (int)texels[0][3] & CSG_QUADRIC_STIFF;
 }
 
 static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,

@@ -79,6 +79,7 @@ static struct known *find_straight(struct chooser *chooser, const struct csg_str
 static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
+    features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
     return csg_programs_get(&chooser->renderer->programs,
                             csg_source_geometry(resolver, features, structure,
                                                 chooser->max_handed));

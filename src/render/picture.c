@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "pack/textbook.h"
 
 #define MAX_BAND_PIXELS (4 << 20)
 
@@ -46,6 +47,16 @@ struct round {
 /* Translucent objects come one after the other, as OpenSCAD draws them; more than these together. */
 #define MAX_OVERLAYS 64
 
+static void set_textbook_rays(const struct picture *picture, GLuint program)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csg_textbook_rays rays = csg_textbook_rays(
+        &picture->renderer->frame.screen, picture->renderer->frame.at);
+    gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_origin"), 3, rays.origin);
+    gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_direction"), 3, rays.direction);
+    gl->Uniform1f(gl->GetUniformLocation(program, "csg_ray_start"), rays.start);
+}
+
 static void set_screen(const struct picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
@@ -58,7 +69,9 @@ static void set_screen(const struct picture *picture, GLuint program)
     gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_depth"), screen->depth[0],
                   screen->depth[1], screen->depth[2], screen->depth[3]);
     gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_key"), (float)screen->a,
-                  (float)screen->b, (float)screen->k_far, screen->orthographic);
+                  (float)screen->b, (float)screen->k_far, screen->orthographic || screen->textbook);
+    if (screen->textbook)
+        set_textbook_rays(picture, program);
 }
 
 static void point_instances(struct csg_gl *gl, size_t first)
@@ -404,7 +417,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
 {
     const struct csg_frame_params params = {
         &request->frustum, request->width,           request->height, request->scheme,
-        request->view->cut_color, csg_draws_whole, request};
+        request->view->cut_color, csg_draws_whole, request, request->textbook};
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);
@@ -413,17 +426,19 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     struct picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
-    picture.shade = csg_programs_get(&renderer->programs, csg_source_shade(picture.want_leaf));
+    picture.shade = csg_programs_get(&renderer->programs, csg_source_shade(picture.want_leaf, request->textbook));
     const bool ok = picture.shade && csg_batches_fill(&picture.batches, renderer, request) &&
                     upload_data(renderer) && upload_instances(renderer) && draw_bands(&picture);
     struct csgcast_stats *stats = &renderer->stats;
     stats->objects_drawn = renderer->frame.draws.num;
     stats->proxy_pixels = renderer->frame.proxy_pixels;
-    size_t used = 0;
+    size_t used = 0, num = 0;
+    if (request->textbook)
+        used = (size_t)snprintf(stats->variants, sizeof stats->variants, CSG_TEXTBOOK_NAME ": ");
     for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
         if (picture.batches.drawn[i] && used < sizeof stats->variants)
             used += (size_t)snprintf(stats->variants + used, sizeof stats->variants - used,
-                                     "%s%s %zu", used ? ", " : "", csg_resolver_names[i],
+                                     "%s%s %zu", num++ ? ", " : "", csg_resolver_names[i],
                                      picture.batches.drawn[i]);
     free(picture.batches.data);
     return ok;

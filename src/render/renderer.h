@@ -26,6 +26,7 @@ struct csg_request {
     const struct csg_colorscheme *scheme;
     int width, height;
     int resolver; /* enum csg_resolver, or -1 for the best */
+    bool textbook; /* crossings as textbooks have them */
     const struct csgcast_image *image;
 };
 

@@ -14,6 +14,8 @@ const char *csgcast_variant_name(size_t index)
 {
     if (index == 0)
         return "auto";
+    if (index == CSG_NUM_RESOLVERS + 1)
+        return CSG_TEXTBOOK_NAME;
     return index <= CSG_NUM_RESOLVERS ? csg_resolver_names[index - 1] : NULL;
 }
 
@@ -115,10 +117,15 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed)
 {
     struct csg_text vertex = {0}, fragment = {0};
+    const bool textbook = features & CSG_FEATURE_TEXTBOOK;
     add_preamble(&vertex);
+    add_preamble(&fragment);
+    if (textbook) {
+        csg_text_add(&vertex, "#define CSG_TEXTBOOK\n");
+        csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
+    }
     add_file(&vertex, "common/data.glsl");
     add_file(&vertex, "solids/sense.glsl");
-    add_preamble(&fragment);
     if (features & CSG_FEATURE_QUADRIC)
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
     if (features & CSG_FEATURE_GAP)
@@ -129,8 +136,11 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     add_file(&fragment, "common/screen.glsl");
     add_file(&fragment, "solids/span.glsl");
     add_file(&fragment, "solids/sense.glsl");
-    add_file(&fragment, "solids/planes.glsl");
-    if (features & CSG_FEATURE_QUADRIC)
+    if (textbook)
+        add_file(&fragment, "solids/textbook.glsl");
+    else
+        add_file(&fragment, "solids/planes.glsl");
+    if (features & CSG_FEATURE_QUADRIC && !textbook)
         add_file(&fragment, "solids/quadric.glsl");
     add_file(&fragment, "csg/spans.glsl");
     add_file(&fragment, "csg/change.glsl");
@@ -142,7 +152,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     return finish_stages(&vertex, &fragment);
 }
 
-struct csg_stages csg_source_shade(bool want_leaf)
+struct csg_stages csg_source_shade(bool want_leaf, bool textbook)
 {
     struct csg_text vertex = {0}, fragment = {0};
     add_preamble(&vertex);
@@ -150,8 +160,14 @@ struct csg_stages csg_source_shade(bool want_leaf)
     add_preamble(&fragment);
     if (want_leaf)
         csg_text_add(&fragment, "#define CSG_WANT_LEAF\n");
+    if (textbook)
+        csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/screen.glsl");
+    if (textbook) {
+        add_file(&fragment, "solids/span.glsl");
+        add_file(&fragment, "solids/textbook.glsl");
+    }
     add_file(&fragment, "passes/shade.frag.glsl");
     return finish_stages(&vertex, &fragment);
 }

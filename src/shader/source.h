@@ -15,6 +15,9 @@ enum csg_resolver {
     CSG_RESOLVER_REAR = CSG_NUM_RESOLVERS /* the far side of one convex leaf; not a variant */
 };
 
+/* The variant that is no resolver: any of them over CSG_FEATURE_TEXTBOOK. */
+#define CSG_TEXTBOOK_NAME "textbook"
+
 extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];
 
 /* What a program must be able to do, besides its resolver. */
@@ -22,7 +25,8 @@ enum csg_feature {
     CSG_FEATURE_QUADRIC = 1, /* some leaf has a quadric */
     CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
     CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
-    CSG_NUM_FEATURE_SETS = 8
+    CSG_NUM_FEATURE_SETS = 8,
+    CSG_FEATURE_TEXTBOOK = 8 /* all of a frame's programs or none: crossings as textbooks have them */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */
@@ -65,7 +69,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed);
 
 /* The shading pass. */
-struct csg_stages csg_source_shade(bool want_leaf);
+struct csg_stages csg_source_shade(bool want_leaf, bool textbook);
 
 /* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
 void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,

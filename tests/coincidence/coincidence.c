@@ -141,7 +141,8 @@ static bool check_variants(struct run *run, const struct pair *pair,
     for (size_t i = 1; csgcast_variant_name(i) && ok; i++) {
         struct verdict verdict = {0};
         view->variant = csgcast_variant_name(i);
-        if (run->options.variant && strcmp(run->options.variant, view->variant) != 0)
+        if (run->options.variant ? strcmp(run->options.variant, view->variant) != 0
+                                 : strcmp(view->variant, "textbook") == 0)
             continue;
         ok = picture_render(run->renderer, scene, view, &run->got);
         judge_picture(&run->got, &pair->ideal, &frustum, &tolerance, &verdict);

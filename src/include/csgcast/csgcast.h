@@ -182,7 +182,8 @@ struct csgcast_view {
 /* The names of the colour schemes, index 0 the default; NULL past the last. */
 CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
 
-/* The names of the resolvers that can be forced; NULL past the last. */
+/* The names of the resolvers that can be forced; NULL past the last. All give the same picture but
+ * "textbook", a baseline for comparisons: the quadratic formula in world space, in float32. */
 CSGCAST_API const char *csgcast_variant_name(size_t index);
 
 /* A camera resolved against a scene: what is rendered. All vectors in scene units. */
