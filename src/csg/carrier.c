@@ -217,7 +217,7 @@ static bool rank_object(struct ranked_leaves *ranked, const struct builder *buil
     bool ok = true;
     for (uint32_t i = object->begin; i < object->end && ok; i++) {
         const uint32_t leaf = tree->data[i].leaf;
-        if (tree->data[i].op != CSG_LEAF || assigned[leaf])
+        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || assigned[leaf])
             continue;
         assigned[leaf] = true;
         const struct extent extent = leaf_extent(builder, leaf);
@@ -302,7 +302,7 @@ static void fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *c
         const struct csg_node *nodes = scene->trees[object->layer].data;
         for (uint32_t j = object->begin; j < object->end; j++) {
             const struct csg_face face =
-                nodes[j].op == CSG_LEAF ? carriers->quadric_faces[nodes[j].leaf]
+                nodes[j].op == CSG_LEAF && !nodes[j].spare ? carriers->quadric_faces[nodes[j].leaf]
                                         : (struct csg_face){CSG_NO_CARRIER, false};
             if (face.carrier == CSG_NO_CARRIER)
                 continue;

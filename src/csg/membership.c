@@ -14,7 +14,8 @@ bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_obj
         const struct csg_node *node = &nodes[i];
         bool value = node->op == CSG_AND;
         if (node->op == CSG_LEAF)
-            value = csg_shape_contains(&scene->leaves[node->leaf].shape, point) != node->negated;
+            value = (!node->spare &&
+                     csg_shape_contains(&scene->leaves[node->leaf].shape, point)) != node->negated;
         else
             for (uint32_t child = i + 1; child < node->end; child = nodes[child].end)
                 value = node->op == CSG_AND ? value && values[child - object->begin]

@@ -2,10 +2,11 @@
 #include "csg/object.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
 {
-    return csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+    return leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
 }
 
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
@@ -13,7 +14,7 @@ const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !nodes[i].negated)
+        if (nodes[i].op == CSG_LEAF && !nodes[i].negated && !nodes[i].spare)
             return &scene->leaves[nodes[i].leaf];
     return NULL;
 }
@@ -36,8 +37,10 @@ void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tr
         const struct csg_node *node = &tree->data[i];
         if (node->op != CSG_LEAF)
             boxes[i] = node_box(tree, boxes, (uint32_t)i);
+        else if (node->negated)
+            boxes[i] = csg_box_all;
         else
-            boxes[i] = node->negated ? csg_box_all : csg_leaf_box(&scene->leaves[node->leaf]);
+            boxes[i] = node->spare ? csg_box_empty : csg_leaf_box(&scene->leaves[node->leaf]);
     }
 }
 
@@ -48,8 +51,8 @@ static bool is_disjoint(const struct csg_box *a, const struct csg_box *b)
     return !(common.lo.x < common.hi.x && common.lo.y < common.hi.y && common.lo.z < common.hi.z);
 }
 
-/* Walks down with the box in which a node matters and marks the leaves that do not. */
-static void mark_irrelevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
+/* Walks down with the box in which a node matters and marks the leaves that do. */
+static void mark_relevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
                             const struct csg_box *boxes, struct csg_box *contexts, uint8_t *known)
 {
     contexts[0] = boxes[0];
@@ -57,7 +60,8 @@ static void mark_irrelevant(const struct csgcast_scene *scene, const struct csg_
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
             const struct csg_box box = csg_leaf_box(&scene->leaves[node->leaf]);
-            known[node->leaf] = is_disjoint(&box, &contexts[i]) ? CSG_NOTHING : CSG_VARIES;
+            if (!is_disjoint(&box, &contexts[i]))
+                known[node->leaf] = CSG_VARIES; /* also where another copy of it is irrelevant */
             continue;
         }
         const struct csg_box inside = csg_box_intersection(&contexts[i], &boxes[i]);
@@ -71,16 +75,53 @@ bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
     if (tree->num == 0)
         return true;
     struct csg_box *boxes = malloc(2 * tree->num * sizeof *boxes);
-    uint8_t *known = calloc(scene->num_leaves + 1, sizeof *known);
+    uint8_t *known = malloc(scene->num_leaves + 1);
     bool ok = boxes && known;
     if (ok) {
+        memset(known, CSG_NOTHING, scene->num_leaves + 1);
         csg_tree_boxes(scene, tree, boxes);
-        mark_irrelevant(scene, tree, boxes, boxes + tree->num, known);
+        mark_relevant(scene, tree, boxes, boxes + tree->num, known);
         ok = csg_tree_simplify(tree, known);
     }
     free(boxes);
     free(known);
     return ok;
+}
+
+/* One operand of the outermost union: kept whole, with what does not show as spares, or crowded. */
+static void mark_operand(struct csg_node *nodes, uint32_t begin, uint32_t end, const uint8_t *known)
+{
+    const bool small = end - begin <= CSG_KEPT_MAX_NODES;
+    for (uint32_t i = begin; i < end; i++)
+        if (nodes[i].op == CSG_LEAF) {
+            nodes[i].spare = small && known[nodes[i].leaf] == CSG_NOTHING;
+            nodes[i].crowded = !small;
+        }
+}
+
+bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree *tree,
+                             const struct csg_tree *pruned)
+{
+    uint8_t *known = malloc(scene->num_leaves + 1);
+    if (!known)
+        return false;
+    memset(known, CSG_NOTHING, scene->num_leaves + 1);
+    for (size_t i = 0; i < pruned->num; i++)
+        if (pruned->data[i].op == CSG_LEAF)
+            known[pruned->data[i].leaf] = CSG_VARIES;
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        mark_operand(tree->data, i, tree->data[i].end, known);
+    const bool ok = csg_tree_simplify(tree, known);
+    free(known);
+    return ok;
+}
+
+static bool is_crowded(const struct csg_tree *tree, uint32_t begin)
+{
+    for (uint32_t i = begin; i < tree->data[begin].end; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            return tree->data[i].crowded;
+    return false;
 }
 
 static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
@@ -91,10 +132,10 @@ static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
     if (!boxes)
         return false;
     csg_tree_boxes(scene, tree, boxes);
-    const bool is_union = tree->num && tree->data[0].op == CSG_OR;
     bool ok = true;
-    for (uint32_t i = is_union ? 1 : 0; i < tree->num && ok; i = tree->data[i].end) {
-        const struct csg_object object = {layer, layer, false, i, tree->data[i].end, boxes[i]};
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num && ok; i = tree->data[i].end) {
+        const struct csg_object object = {layer, layer, false, is_crowded(tree, i), i,
+                                          tree->data[i].end, boxes[i]};
         ok = csg_array_push(objects, object);
     }
     free(boxes);
@@ -108,7 +149,7 @@ static bool is_highlighted(const struct csg_tree *tree, const struct csg_object 
                            const uint8_t *marks)
 {
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated &&
+        if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated && !tree->data[i].spare &&
             !(marks[tree->data[i].leaf] & UNDER_HIGHLIGHT))
             return false;
     return true;

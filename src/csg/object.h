@@ -10,6 +10,7 @@ struct csg_object {
     uint8_t layer;        /* enum csg_layer */
     uint8_t paint;        /* the layer whose colours it takes: HIGHLIGHT where # is on all of it */
     bool hidden;          /* of the highlight layer, and drawn already as part of such an object */
+    bool crowded;         /* its structure may change with an edit: no program of its own */
     uint32_t begin, end;  /* nodes of scene->trees[layer] */
     struct csg_box box;   /* of the Boolean result, conservative */
 };
@@ -43,5 +44,16 @@ void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tr
 /* Leaves out of the tree what boxes show to be irrelevant: operands of an intersection that miss
  * it, subtrahends outside of their minuend. false: out of memory. */
 bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree);
+
+/* Objects of at most this many nodes keep their structure in scenes that are edited: those that
+ * straight-line code is made for (CSG_STRAIGHT_MAX_STEPS). */
+#define CSG_KEPT_MAX_NODES 24
+
+/*
+ * For a scene that is edited: what prune made of tree is pruned; small objects of tree keep the
+ * leaves that went, as spare ones, so that no edit changes their programs. false: out of memory.
+ */
+bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree *tree,
+                             const struct csg_tree *pruned);
 
 #endif

@@ -25,10 +25,8 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
     return scene;
 }
 
-void csgcast_scene_destroy(struct csgcast_scene *scene)
+void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
-    if (!scene)
-        return;
     csg_plan_destroy(scene->plan);
     csg_carriers_destroy(scene->carriers);
     if (scene->objects)
@@ -36,6 +34,11 @@ void csgcast_scene_destroy(struct csgcast_scene *scene)
     free(scene->objects);
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
         free(scene->trees[layer].data);
+}
+
+void csg_scene_destroy(struct csgcast_scene *scene)
+{
+    csg_scene_drop_derived(scene);
     for (size_t i = 0; i < scene->num_leaves; i++)
         csg_shape_finish(&scene->leaves[i].shape);
     free(scene->leaves);
@@ -91,7 +94,15 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
     info->kinds = scene->kinds;
 }
 
-static bool fill_info(struct csgcast_scene *scene)
+static size_t count_operands(const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        num++;
+    return num;
+}
+
+static bool fill_tree_info(struct csgcast_scene *scene)
 {
     struct csgcast_scene_info *info = &scene->info;
     size_t num_drawn;
@@ -99,34 +110,65 @@ static bool fill_info(struct csgcast_scene *scene)
     count_leaves(scene, &num_drawn);
     info->num_leaves = num_drawn;
     info->num_dropped += scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
-    info->num_objects = scene->objects->num;
-    info->num_planes = scene->carriers->num_planes;
-    info->num_quadrics = scene->carriers->num_quadrics;
-    info->num_shared = scene->carriers->num_shared;
-    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
-        for (size_t i = 0; i < scene->trees[layer].num; i++)
-            info->num_nodes += scene->trees[layer].data[i].op != CSG_LEAF;
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        const struct csg_tree *tree = &scene->trees[layer];
+        info->num_objects += count_operands(tree);
+        for (size_t i = 0; i < tree->num; i++)
+            info->num_nodes += tree->data[i].op != CSG_LEAF;
+    }
     info->depth = csg_tree_depth(&scene->trees[CSG_LAYER_MODEL], &out_of_memory);
     return !out_of_memory;
 }
 
-static void fill_box(struct csgcast_scene *scene)
+static void fill_carrier_info(struct csgcast_scene *scene)
 {
+    scene->info.num_planes = scene->carriers->num_planes;
+    scene->info.num_quadrics = scene->carriers->num_quadrics;
+    scene->info.num_shared = scene->carriers->num_shared;
+}
+
+static bool fill_box(struct csgcast_scene *scene)
+{
+    const struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
+    struct csg_box *boxes = malloc((tree->num + 1) * sizeof *boxes);
+    if (!boxes)
+        return false;
+    csg_tree_boxes(scene, tree, boxes);
     scene->box = csg_box_empty;
-    for (size_t i = 0; i < scene->objects->num; i++)
-        if (scene->objects->data[i].layer == CSG_LAYER_MODEL)
-            scene->box = csg_box_union(&scene->box, &scene->objects->data[i].box);
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        scene->box = csg_box_union(&scene->box, &boxes[i]);
+    free(boxes);
+    return true;
+}
+
+/* What the trees say of the scene, whatever of their structure is kept besides. */
+static bool fill_from_trees(struct csgcast_scene *scene)
+{
+    fill_written(scene);
+    return fill_box(scene) && fill_tree_info(scene);
+}
+
+/* Simplifies the tree; kept, where structure is kept, is it before what does not show went. */
+static bool simplify(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
+{
+    return csg_tree_simplify(tree, NULL) && (!scene->keeps_structure || csg_tree_copy(tree, kept)) &&
+           csg_tree_prune(scene, tree);
 }
 
 static bool finish(struct csgcast_scene *scene)
 {
-    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
-        if (!csg_tree_simplify(&scene->trees[layer], NULL))
-            return false;
-    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
-        if (!csg_tree_prune(scene, &scene->trees[layer]))
-            return false;
-    fill_written(scene);
+    struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
+    bool ok = true;
+    for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
+        ok = simplify(scene, &scene->trees[layer], &kept[layer]);
+    ok = ok && fill_from_trees(scene);
+    for (int layer = 0; layer < CSG_NUM_LAYERS && scene->keeps_structure; layer++) {
+        ok = ok && csg_tree_keep_structure(scene, &kept[layer], &scene->trees[layer]);
+        free(scene->trees[layer].data);
+        scene->trees[layer] = kept[layer];
+    }
+    if (!ok)
+        return false;
     scene->objects = calloc(1, sizeof *scene->objects);
     if (!scene->objects || !csg_objects_split(scene, scene->objects))
         return false;
@@ -134,8 +176,8 @@ static bool finish(struct csgcast_scene *scene)
     scene->plan = csg_plan_create(scene);
     if (!scene->carriers || !scene->plan)
         return false;
-    fill_box(scene);
-    return fill_info(scene);
+    fill_carrier_info(scene);
+    return true;
 }
 
 bool csg_scene_finish(struct csgcast_scene *scene)

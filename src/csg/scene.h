@@ -11,6 +11,7 @@
 struct csg_leaf {
     struct csg_shape shape; /* in world space */
     enum csg_kind kind;
+    bool is_empty;          /* an edit left nothing of it: shape means nothing */
     bool is_hole;           /* taken away within its own node: its faces are not cut faces */
     float color[4];         /* r g b a as the outermost valid color() says; r < 0: none */
     uint32_t line, column;  /* of the node in the text */
@@ -26,11 +27,16 @@ enum csg_layer {
 
 struct csg_objects;
 struct csg_carriers;
+struct csg_edits;
 struct csg_plan;
 
 struct csgcast_scene {
     struct csg_log log;
     char *name;            /* for messages */
+    struct csg_source *source; /* scene/: the text it was read from */
+    struct csg_edits *edits;   /* scene/: NULL until the first edit */
+    bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
+    uint64_t revision;     /* grows with each edit */
     struct csg_leaf *leaves; /* in file order: the public leaf index */
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];
@@ -48,9 +54,15 @@ struct csgcast_scene {
 /* A zeroed scene with log and name set; NULL, with a message, when memory is out. */
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name);
 
+/* Everything but source and edits. */
+void csg_scene_destroy(struct csgcast_scene *scene);
+/* Of that what csg_scene_finish makes, and the trees. */
+void csg_scene_drop_derived(struct csgcast_scene *scene);
+
 /*
  * Simplifies the trees, merges coincident carriers, fills box and info: after this the scene is
- * immutable. leaves[] with an empty shape must not occur: they are left out while building.
+ * immutable. leaves[] with an empty shape must not occur, but for those marked is_empty: they are
+ * left out while building.
  */
 bool csg_scene_finish(struct csgcast_scene *scene);
 

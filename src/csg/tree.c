@@ -2,6 +2,7 @@
 #include "csg/tree.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* What a subtree is once the constants below it are known. */
 struct fold {
@@ -11,7 +12,7 @@ struct fold {
 
 static struct fold fold_leaf(const struct csg_node *node, const uint8_t *known)
 {
-    const uint8_t leaf = known ? known[node->leaf] : CSG_VARIES;
+    const uint8_t leaf = known && !node->spare ? known[node->leaf] : CSG_VARIES;
     if (leaf == CSG_VARIES)
         return (struct fold){CSG_VARIES, false};
     const bool empty = (leaf == CSG_NOTHING) != node->negated;
@@ -115,6 +116,16 @@ bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known)
     }
     free(tree->data);
     *tree = out.tree;
+    return true;
+}
+
+bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy)
+{
+    if (!csg_array_reserve(copy, tree->num + 1))
+        return false;
+    if (tree->num)
+        memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
+    copy->num = tree->num;
     return true;
 }
 

@@ -20,6 +20,8 @@ enum csg_op { CSG_LEAF, CSG_OR, CSG_AND };
 struct csg_node {
     uint8_t op;    /* enum csg_op */
     bool negated;  /* LEAF: the complement of the leaf */
+    bool spare;    /* LEAF: stays for the tree's structure, and counts as nothing */
+    bool crowded;  /* LEAF: of an object whose structure may change with an edit */
     uint32_t leaf; /* LEAF: index of the leaf */
     uint32_t end;  /* one past the last node of this subtree */
 };
@@ -35,10 +37,19 @@ enum csg_known { CSG_VARIES, CSG_NOTHING, CSG_EVERYTHING };
 
 /*
  * Replaces the tree by an equal one without constants, nodes of one child and nodes whose parent
- * has the same op. known[leaf], where known is not NULL, is the enum csg_known of each leaf.
- * false: out of memory.
+ * has the same op. known[leaf], where known is not NULL, is the enum csg_known of each leaf; spare
+ * ones stay all the same. false: out of memory.
  */
 bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known);
+
+/* copy, zeroed before, becomes an equal tree. false: out of memory. */
+bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy);
+
+/* The first operand of the outermost union; the next ones are at their ends, below tree->num. */
+static inline uint32_t csg_tree_first_operand(const struct csg_tree *tree)
+{
+    return tree->num && tree->data[0].op == CSG_OR ? 1 : 0;
+}
 
 /* Levels of Boolean nodes; 0 for one leaf. */
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory);

@@ -26,6 +26,8 @@ static struct csg_rect leaf_rect(const struct packer *packer, const struct csg_n
     const struct csg_shape *shape = &packer->scene->leaves[node->leaf].shape;
     if (node->negated)
         return (struct csg_rect){{0, 0}, {screen->width, screen->height}};
+    if (node->spare)
+        return (struct csg_rect){{1, 1}, {0, 0}};
     return csg_screen_rect(screen, &shape->frame, &shape->bounds);
 }
 
@@ -159,7 +161,7 @@ static bool add_layer(struct packer *packer, uint8_t layer)
     const struct csg_objects *objects = packer->scene->objects;
     if (!packer->params->textbook && starts_inside(packer, layer)) {
         const struct csg_object whole = {
-            layer, layer, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
+            layer, layer, false, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
     }
     for (uint32_t i = 0; i < objects->num; i++)
@@ -178,6 +180,8 @@ static struct csg_box focus_of(const struct csgcast_scene *scene)
         return scene->box;
     for (size_t i = 0; i < scene->num_leaves; i++) {
         const struct csg_shape *shape = &scene->leaves[i].shape;
+        if (scene->leaves[i].is_empty)
+            continue;
         const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
         if (csg_box_is_finite(&box))
             focus = csg_box_union(&focus, &box);

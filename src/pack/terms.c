@@ -115,6 +115,21 @@ static bool put_quadric(const struct csg_terms *terms, const struct csg_node *no
     return !textbook && (int)texels[0][3] & CSG_QUADRIC_STIFF;
 }
 
+/* A solid that no ray meets, with as many faces as the leaf has. */
+static void put_nothing(uint32_t num_planes, bool has_quadric, float (*texels)[4])
+{
+    for (uint32_t i = 0; i < num_planes; i++) {
+        texels[i][0] = CSG_KEY_MAX;
+        texels[i][1] = texels[i][2] = 0;
+        texels[i][3] = (float)(i + 1);
+    }
+    if (!has_quadric)
+        return;
+    memset(texels + num_planes, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
+    texels[num_planes][3] = CSG_QUADRIC_BETWEEN;
+    texels[num_planes + 1][3] = -1; /* the constant of the silhouette conic */
+}
+
 static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_node *node)
 {
@@ -137,12 +152,16 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4, .attributes = block};
     face_color(terms, object, node, attributes[CSG_ATTRIBUTE_COLOR]);
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
-    leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
-    leaf.num_exits = num_planes - leaf.num_entries;
+    leaf.num_entries = num_planes;
     leaf.flags = csg_node_flags(terms->scene, node);
-    if (shape->has_quadric)
+    if (node->spare)
+        put_nothing(num_planes, shape->has_quadric, texels);
+    else
+        leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
+    leaf.num_exits = num_planes - leaf.num_entries;
+    if (shape->has_quadric && !node->spare)
         terms->stiff |= put_quadric(terms, node, texels + num_planes, normals, mark);
-    terms->translucent |= attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
+    terms->translucent |= !node->spare && attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
     terms->texels.num += 4 * num_texels;
     terms->index[node->leaf] = (uint32_t)terms->leaves.num;
     return csg_array_push(&terms->leaves, leaf);

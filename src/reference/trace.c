@@ -43,7 +43,9 @@ void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch)
 static bool push_leaf(struct csg_ray_scratch *scratch, const struct csgcast_scene *scene,
                       const struct csg_node *node, const struct csg_ray *ray)
 {
-    const struct csg_leaf_crossings leaf = csg_cross_leaf(scene, node->leaf, ray);
+    struct csg_leaf_crossings leaf = {.num = 0};
+    if (!node->spare)
+        leaf = csg_cross_leaf(scene, node->leaf, ray);
     const struct list list = {scratch->pool.num, leaf.inside != node->negated};
     for (int i = 0; i < leaf.num; i++) {
         const struct csg_crossing crossing = {leaf.t[i], node->leaf, node->negated};
@@ -217,8 +219,8 @@ static bool trace_layer(const struct csgcast_scene *scene, uint8_t layer, const 
     }
     if (!best->inside)
         return true;
-    const struct csg_object all = {layer, layer, false, 0, (uint32_t)scene->trees[layer].num,
-                                   csg_box_all};
+    const struct csg_object all = {layer, layer, false, false, 0,
+                                   (uint32_t)scene->trees[layer].num, csg_box_all};
     *best = (struct best){.found = false};
     return try_object(scene, &all, ray, scratch, best);
 }

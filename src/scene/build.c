@@ -25,7 +25,8 @@ struct tree_builder {
 
 static bool push_node(struct tree_builder *build, enum csg_op op, bool negated, uint32_t leaf)
 {
-    const struct csg_node node = {(uint8_t)op, negated, leaf, (uint32_t)build->tree->num + 1};
+    const struct csg_node node = {
+        .op = (uint8_t)op, .negated = negated, .leaf = leaf, .end = (uint32_t)build->tree->num + 1};
     return csg_array_push(build->tree, node);
 }
 
@@ -190,13 +191,15 @@ static bool build_layer(const struct csg_builder *builder, const struct layer_ru
 }
 
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, struct csg_report *report)
+               const struct csgcast_scene_params *params, struct csg_origins *origins,
+               struct csg_report *report)
 {
     struct csg_builder builder = {.document = document,
                                   .report = report,
                                   .scene = scene,
                                   .facets = params->facets,
                                   .skip_unsupported = params->skip_unsupported,
+                                  .origins = origins,
                                   .directory = params->directory ? params->directory : "."};
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
                 csg_build_leaves(&builder);

@@ -28,6 +28,8 @@ struct csg_meaning {
     uint32_t leaf;
 };
 
+struct csg_origins;
+
 struct csg_builder {
     const struct csg_document *document;
     struct csg_report *report;
@@ -37,15 +39,18 @@ struct csg_builder {
     const char *directory; /* where relative file names in the text start; "." at least */
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
+    struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
     struct csg_tree parts;        /* the trees of the compounds, one behind the other */
 };
 
 /*
  * Fills scene's leaves and trees; the trees are not simplified. All errors are reported; what is
- * wrong is then left out of the scene. false, with a message, when memory is out.
+ * wrong is then left out of the scene. origins gets where the leaves come from; NULL: not wanted.
+ * false, with a message, when memory is out.
  */
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, struct csg_report *report);
+               const struct csgcast_scene_params *params, struct csg_origins *origins,
+               struct csg_report *report);
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "csg/part.h"
+#include "scene/origin.h"
 #include "scene/transforms.h"
 
 /* A node that changed the space of what is below it. */
@@ -21,10 +22,9 @@ struct walk {
 
 /* ---- solids ------------------------------------------------------------------------------- */
 
-/* OpenSCAD knows a colour of which components are unset; here it is set or not. */
-static void set_color(struct csg_leaf *leaf, const struct csg_space *space)
+void csg_leaf_set_color(struct csg_leaf *leaf, const float color[4])
 {
-    memcpy(leaf->color, space->color, sizeof leaf->color);
+    memcpy(leaf->color, color, sizeof leaf->color);
     if (!(leaf->color[0] >= 0 && leaf->color[1] >= 0 && leaf->color[2] >= 0))
         leaf->color[0] = leaf->color[1] = leaf->color[2] = -1;
     if (!(leaf->color[3] >= 0))
@@ -42,6 +42,71 @@ static bool add_leaf(struct walk *walk, const struct csg_leaf *leaf)
     return true;
 }
 
+/* ---- where leaves come from, for edits ------------------------------------------------------ */
+
+/* What stands between the parentheses of a node, in a new string. NULL: out of memory. */
+static char *copy_parameters(const struct walk *walk, uint32_t node)
+{
+    const struct csg_document *document = walk->builder->document;
+    const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
+    struct csg_lexer lexer;
+    struct csg_token token;
+    csg_lexer_init(&lexer, document->text, document->size, parsed->at, parsed->place);
+    csg_lexer_next(&lexer, &token);
+    csg_lexer_next(&lexer, &token);
+    const char *begin = token.begin + 1;
+    while (token.type != CSG_TOKEN_END && !csg_token_is(&token, ')'))
+        csg_lexer_next(&lexer, &token);
+    const size_t length = (size_t)(token.begin - begin);
+    char *copy = malloc(length + 1);
+    if (copy) {
+        memcpy(copy, begin, length);
+        copy[length] = 0;
+    }
+    return copy;
+}
+
+static bool keep_origin(struct walk *walk, const struct csg_shape *own,
+                        const struct csg_space *space)
+{
+    struct csg_origins *origins = walk->builder->origins;
+    return !origins || csg_origins_add(origins, own, space) ||
+           csg_log_memory(&walk->builder->report->log);
+}
+
+/* The leaves from first on are all of one node. */
+static bool finish_origins(struct walk *walk, uint32_t node, uint32_t first)
+{
+    struct csg_origins *origins = walk->builder->origins;
+    const uint32_t num = origins ? (uint32_t)origins->num - first : 0;
+    for (uint32_t i = first; i < first + num; i++) {
+        origins->data[i].first = first;
+        origins->data[i].num = num;
+    }
+    if (num != 1 || walk->builder->meanings[node].role != CSG_ROLE_SOLID)
+        return true;
+    origins->data[first].parameters = copy_parameters(walk, node);
+    return origins->data[first].parameters || csg_log_memory(&walk->builder->report->log);
+}
+
+/* ---- single solids ------------------------------------------------------------------------- */
+
+/* Places a node's own shape, with its origin. false: nothing is left of it. failed: out of
+ * memory. */
+static bool place(struct walk *walk, const struct csg_space *space, struct csg_shape *shape,
+                  bool *failed)
+{
+    struct csg_origins *origins = walk->builder->origins;
+    *failed = !keep_origin(walk, shape, space);
+    if (*failed)
+        return false;
+    if (csg_space_place(space, shape))
+        return true;
+    if (origins)
+        csg_shape_finish(&origins->data[--origins->num].shape);
+    return false;
+}
+
 /* Empty solids and malformed ones get no leaf. */
 static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space *space)
 {
@@ -55,15 +120,18 @@ static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space 
     if (!csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args))
         return false;
     const enum csg_read_result result = ops->read(&args, &leaf.shape);
-    if (result == CSG_READ_OK && csg_space_place(space, &leaf.shape)) {
-        set_color(&leaf, space);
-        walk->builder->meanings[node].leaf = (uint32_t)walk->builder->scene->num_leaves;
+    bool failed = false;
+    if (result == CSG_READ_OK && place(walk, space, &leaf.shape, &failed)) {
+        const uint32_t index = (uint32_t)walk->builder->scene->num_leaves;
+        csg_leaf_set_color(&leaf, space->color);
+        walk->builder->meanings[node].leaf = index;
         if (add_leaf(walk, &leaf))
-            return true;
-        csg_shape_finish(&leaf.shape);
-        return false;
+            return finish_origins(walk, node, index);
+        failed = true;
     }
     csg_shape_finish(&leaf.shape);
+    if (failed)
+        return false;
     walk->builder->scene->info.num_dropped += result != CSG_READ_ERROR;
     return true;
 }
@@ -80,12 +148,15 @@ static bool add_shapes(struct walk *walk, uint32_t node, const struct csg_space 
                                 .kind = (enum csg_kind)walk->builder->meanings[node].kind,
                                 .line = parsed->place.line,
                                 .column = parsed->place.column};
+        bool failed;
         index[i] = CSG_NO_LEAF;
-        const bool is_placed = csg_space_place(space, &leaf.shape);
+        const bool is_placed = place(walk, space, &leaf.shape, &failed);
         part->shapes.data[i] = leaf.shape;
+        if (failed)
+            return false;
         if (!is_placed)
             continue;
-        set_color(&leaf, space);
+        csg_leaf_set_color(&leaf, space->color);
         index[i] = (uint32_t)walk->builder->scene->num_leaves;
         if (!add_leaf(walk, &leaf))
             return false;
@@ -122,8 +193,9 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
     uint32_t *index = malloc((part->shapes.num + 1) * sizeof *index);
     if (!index)
         return csg_log_memory(&walk->builder->report->log);
-    const bool done =
-        add_shapes(walk, node, space, part, index) && add_tree(walk, node, part, index);
+    const uint32_t first = (uint32_t)walk->builder->scene->num_leaves;
+    const bool done = add_shapes(walk, node, space, part, index) &&
+                      add_tree(walk, node, part, index) && finish_origins(walk, node, first);
     free(index);
     return done;
 }

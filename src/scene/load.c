@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/build.h"
+#include "scene/edits.h"
 #include "scene/openscad.h"
 
 static const struct csgcast_scene_params default_params;
@@ -24,27 +25,74 @@ static bool ends_with(const char *path, const char *ending)
 }
 
 static bool fill(struct csgcast_scene *scene, const char *text, size_t size,
-                 const struct csgcast_scene_params *params, struct csg_report *report)
+                 const struct csgcast_scene_params *params, struct csg_origins *origins,
+                 struct csg_report *report)
 {
     struct csg_document document;
     const bool done = csg_document_parse(&document, size > 0 ? text : "", size, report) &&
-                      csg_build(scene, &document, params, report);
+                      csg_build(scene, &document, params, origins, report);
     csg_document_finish(&document);
     return csg_report_finish(report) && done;
 }
 
-struct csgcast_scene *csg_scene_read(const char *text, size_t size,
-                                     const struct csgcast_scene_params *params)
+static struct csgcast_scene *read_text(const char *text, size_t size,
+                                       const struct csgcast_scene_params *params,
+                                       struct csg_origins *origins)
 {
-    const struct csgcast_scene_params *used = params ? params : &default_params;
-    const char *name = used->name ? used->name : "<memory>";
-    const struct csg_log log = {used->log, used->log_user};
+    const char *name = params->name ? params->name : "<memory>";
+    const struct csg_log log = {params->log, params->log_user};
     struct csg_report report;
     struct csgcast_scene *scene = csg_scene_create(&log, name);
     if (!scene)
         return NULL;
     csg_report_init(&report, &log, name);
-    if (fill(scene, text, size, used, &report))
+    if (fill(scene, text, size, params, origins, &report))
+        return scene;
+    csgcast_scene_destroy(scene);
+    return NULL;
+}
+
+struct csgcast_scene *csg_scene_read(const char *text, size_t size,
+                                     const struct csgcast_scene_params *params)
+{
+    return read_text(text, size, params ? params : &default_params, NULL);
+}
+
+static void say_nothing(void *user, enum csgcast_log_level level, enum csgcast_message id,
+                        const char *text)
+{
+    (void)user, (void)level, (void)id, (void)text;
+}
+
+struct csgcast_scene *csg_scene_reread(const struct csgcast_scene *scene,
+                                       struct csg_origins *origins)
+{
+    struct csgcast_scene_params quiet = scene->source->params;
+    quiet.log = say_nothing;
+    return read_text(scene->source->text, scene->source->size, &quiet, origins);
+}
+
+void csgcast_scene_destroy(struct csgcast_scene *scene)
+{
+    if (!scene)
+        return;
+    csg_edits_destroy(scene->edits);
+    csg_source_destroy(scene->source);
+    csg_scene_destroy(scene);
+}
+
+/* The same as csgcast_scene_parse, but that text is taken over. */
+static struct csgcast_scene *parse_own(char *text, size_t size,
+                                       const struct csgcast_scene_params *params)
+{
+    struct csgcast_scene *scene = csg_scene_read(text, size, params);
+    if (!scene) {
+        free(text);
+        return NULL;
+    }
+    scene->keeps_structure = params->editable;
+    scene->source = csg_source_create(text, size, params);
+    if (scene->source ? csg_scene_finish(scene) : csg_log_memory(&scene->log))
         return scene;
     csgcast_scene_destroy(scene);
     return NULL;
@@ -53,11 +101,16 @@ struct csgcast_scene *csg_scene_read(const char *text, size_t size,
 struct csgcast_scene *csgcast_scene_parse(const char *text, size_t size,
                                           const struct csgcast_scene_params *params)
 {
-    struct csgcast_scene *scene = csg_scene_read(text, size, params);
-    if (scene && csg_scene_finish(scene))
-        return scene;
-    csgcast_scene_destroy(scene);
-    return NULL;
+    const struct csgcast_scene_params *used = params ? params : &default_params;
+    const struct csg_log log = {used->log, used->log_user};
+    char *copy = malloc(size + 1);
+    if (!copy) {
+        csg_log_memory(&log);
+        return NULL;
+    }
+    if (size)
+        memcpy(copy, text, size);
+    return parse_own(copy, size, used);
 }
 
 static struct csgcast_scene *load_csg(const char *path, const struct csgcast_scene_params *params,
@@ -69,9 +122,7 @@ static struct csgcast_scene *load_csg(const char *path, const struct csgcast_sce
         return NULL;
     if (!named.name)
         named.name = strcmp(path, "-") == 0 ? "<stdin>" : path;
-    struct csgcast_scene *scene = csgcast_scene_parse(text.data, text.num, &named);
-    free(text.data);
-    return scene;
+    return parse_own(text.data, text.num, &named);
 }
 
 /* Messages about the flattened text say so: its lines are not those of the .scad file. */
@@ -92,8 +143,9 @@ static struct csgcast_scene *load_scad(const char *path, const struct csgcast_sc
     snprintf(name, size, "%s%s", base, suffix);
     named.name = name;
     if (csg_openscad_flatten(path, params, log, &text))
-        scene = csgcast_scene_parse(text.data, text.num, &named);
-    free(text.data);
+        scene = parse_own(text.data, text.num, &named);
+    else
+        free(text.data);
     free(name);
     return scene;
 }

@@ -3,6 +3,7 @@
 #define CSG_SCENE_LOAD_H
 
 #include "csg/scene.h"
+#include "scene/source.h"
 
 /*
  * The scene as the text has it: leaves and trees, not simplified, nothing merged. For tests; the
@@ -10,5 +11,11 @@
  */
 struct csgcast_scene *csg_scene_read(const char *text, size_t size,
                                      const struct csgcast_scene_params *params);
+
+struct csg_origins;
+
+/* Once more from the text it keeps, without messages; origins gets where its leaves come from. */
+struct csgcast_scene *csg_scene_reread(const struct csgcast_scene *scene,
+                                       struct csg_origins *origins);
 
 #endif

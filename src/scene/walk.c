@@ -27,7 +27,7 @@ static bool is_parameter(const char *parameters, const char *name)
 }
 
 /* A misspelt name would silently mean the default. $fn and its like may stand anywhere. */
-static void warn_of_strange_names(const struct csg_args *args)
+void csg_warn_of_strange_names(const struct csg_args *args)
 {
     for (size_t i = 0; i < args->num; i++) {
         const struct csg_arg *arg = &args->args[i];
@@ -56,7 +56,7 @@ bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const
                               .line = parsed->place.line,
                               .column = parsed->place.column,
                               .node = name};
-    warn_of_strange_names(args);
+    csg_warn_of_strange_names(args);
     return true;
 }
 

@@ -25,6 +25,9 @@ const struct csg_node_ops *csg_walk_ops(const struct csg_walk *walk, uint32_t no
 bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const char *parameters,
                    struct csg_args *args);
 
+/* A warning for each argument that the node does not have. */
+void csg_warn_of_strange_names(const struct csg_args *args);
+
 /* Says that the node, which has that name, uses what this version lacks: an error, or a warning
  * with --skip-unsupported. The node is then left out. */
 void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)

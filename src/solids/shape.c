@@ -2,12 +2,28 @@
 #include "solids/shape.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void csg_shape_finish(struct csg_shape *shape)
 {
     free(shape->planes);
     shape->planes = NULL;
     shape->num_planes = 0;
+}
+
+bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
+{
+    size_t room = 1;
+    while (room < shape->num_planes)
+        room *= 2;
+    *copy = *shape;
+    copy->planes = NULL;
+    if (!shape->num_planes)
+        return true;
+    copy->planes = malloc(room * sizeof *copy->planes);
+    if (copy->planes)
+        memcpy(copy->planes, shape->planes, shape->num_planes * sizeof *copy->planes);
+    return copy->planes != NULL;
 }
 
 /* n.x <= d with x = inverse(y) is transpose(L) n . y <= d - n . offset, L and offset of inverse. */

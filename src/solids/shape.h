@@ -52,6 +52,9 @@ struct csg_shape {
 
 void csg_shape_finish(struct csg_shape *shape);
 
+/* Makes copy, whatever it was, a shape of its own. false: out of memory. */
+bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape);
+
 /*
  * Replaces shape by its image under map. false, with shape untouched, where map is singular.
  * Mirrored and sheared maps are fine.

@@ -22,6 +22,7 @@
  * error when there is none). The library never exits, aborts or keeps global state.
  *
  * Threads: a scene is immutable while it is rendered and may be read by several renderers at once.
+ * Who edits it (csgcast_scene_edit and its kin, csgcast_scene_get_leaf) must be alone with it.
  * A renderer belongs to one thread at a time. It makes its own context current during a call and
  * restores what was current before.
  */
@@ -92,6 +93,7 @@ struct csgcast_scene_params {
     const char *directory;       /* where relative file names in the scene start. NULL: that of the
                                   * path; the working directory for text in memory and "-" */
     const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
+    bool editable;               /* edits will follow: small objects keep what does not show */
     csgcast_log_fn *log;         /* NULL: standard error */
     void *log_user;              /* passed to log */
 };
@@ -141,6 +143,74 @@ CSGCAST_API void csgcast_scene_get_info(const struct csgcast_scene *scene,
 /* Box of the drawn solids in scene units; false when empty. Unbounded directions are infinite. */
 CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, double lo[3],
                                           double hi[3]);
+
+/* ---- edits ---------------------------------------------------------------------------------- */
+
+/*
+ * A scene's leaves are its solids in the order of the text: the index of the channel id. An edit
+ * changes matrix, parameters or colour of some of them as if the text had been changed and loaded
+ * again, to the last bit; what follows from them (bounds, what is left out, coincident faces) is
+ * made anew, also what had been left out before. Renderers keep their programs: a frame after an
+ * edit uploads bytes and compiles nothing, unless a solid got another number of faces (a polygon's
+ * $fn) or turned translucent; a view of it may be one that needs another program, as a moved
+ * camera's may; and where the load had left solids of small objects out by their boxes, the first
+ * edit brings them back to stay (csgcast_scene_params.editable: from the start).
+ *
+ * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
+ * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
+ */
+struct csgcast_leaf {
+    const char *kind;       /* of the node, e.g. "cylinder"; static */
+    unsigned line, column;  /* of the node in the text, from 1; of .scad: in the flattened text */
+    size_t first, num;      /* the leaves of its node: itself, but for nodes with several */
+    bool empty;             /* an edit left nothing of it; it keeps its index */
+    /* From the solid's own space (docs/solids.md) to the world: the product of all matrices around
+     * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
+    double matrix[16];
+    float color[4]; /* r g b a as the outermost color() says; r < 0: none, the scheme's colour */
+    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Until the next edit or
+     * the end of the scene; "" where the leaf is one of several. */
+    const char *parameters;
+};
+
+/* How many leaves there are, empty ones and those that were left out included. */
+CSGCAST_API size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene);
+
+/* The first call on a scene, or the first edit, reads its text once more. false, with a message,
+ * when there is no such leaf or memory is out. */
+CSGCAST_API bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t leaf,
+                                        struct csgcast_leaf *info);
+
+/* A change of one leaf; what is NULL stays as it is. */
+struct csgcast_edit {
+    size_t leaf;
+    /* 16 numbers by rows, as in struct csgcast_leaf: replaces all matrices around the leaf. All
+     * finite, the last row 0 0 0 1. A singular matrix leaves nothing of the leaf. Numbers count as
+     * multmatrix's do in the text right at the leaf; those that are not changed keep the rounding
+     * they have from the file (docs/coincidence.md). */
+    const double *matrix;
+    /* All of the node's arguments as scene text: "r = 3, $fn = 40". What is not given takes its
+     * default. Parameters that make nothing (r = 0) leave nothing of the leaf. */
+    const char *parameters;
+    /* r g b a, finite; any of them negative: as where color() is not set. */
+    const float *color;
+};
+
+/*
+ * Makes all changes, then what follows from them, once: all or, false with a message for the first
+ * that is wrong, none. Of several for the same leaf the last one counts. Messages about parameters
+ * begin with "<edit of leaf N>:line:column:".
+ */
+CSGCAST_API bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *edits,
+                                    size_t num_edits);
+
+/* One change each. */
+CSGCAST_API bool csgcast_scene_set_matrix(struct csgcast_scene *scene, size_t leaf,
+                                          const double matrix[16]);
+CSGCAST_API bool csgcast_scene_set_parameters(struct csgcast_scene *scene, size_t leaf,
+                                              const char *parameters);
+CSGCAST_API bool csgcast_scene_set_color(struct csgcast_scene *scene, size_t leaf,
+                                         const float color[4]);
 
 /* ---- camera and view ---------------------------------------------------------------------- */
 

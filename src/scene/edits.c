@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/edits.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/load.h"
+
+void csg_edits_destroy(struct csg_edits *edits)
+{
+    if (!edits)
+        return;
+    csg_origins_finish(&edits->origins);
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        free(edits->trees[layer].data);
+    free(edits->patches);
+    free(edits);
+}
+
+/* The trees as the text has them change hands. */
+static void take_trees(struct csg_edits *edits, struct csgcast_scene *raw)
+{
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        edits->trees[layer] = raw->trees[layer];
+        raw->trees[layer] = (struct csg_tree){0};
+    }
+    edits->num_dropped = raw->info.num_dropped;
+}
+
+struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
+{
+    if (scene->edits)
+        return scene->edits;
+    struct csg_edits *edits = calloc(1, sizeof *edits);
+    uint32_t *patches = calloc(scene->num_leaves + 1, sizeof *patches);
+    struct csgcast_scene *raw =
+        edits && patches ? csg_scene_reread(scene, &edits->origins) : NULL;
+    if (!raw || raw->num_leaves != scene->num_leaves) {
+        csg_log_memory(&scene->log);
+        free(patches);
+        csg_edits_destroy(edits);
+        csgcast_scene_destroy(raw);
+        return NULL;
+    }
+    take_trees(edits, raw);
+    csgcast_scene_destroy(raw);
+    edits->patches = patches;
+    scene->edits = edits;
+    return edits;
+}
+
+static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edits)
+{
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        if (!csg_tree_copy(&edits->trees[layer], &scene->trees[layer]))
+            return false;
+    return true;
+}
+
+bool csg_edits_refinish(struct csgcast_scene *scene)
+{
+    struct csgcast_scene next = *scene;
+    next.objects = NULL;
+    next.carriers = NULL;
+    next.plan = NULL;
+    memset(next.trees, 0, sizeof next.trees);
+    next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped};
+    next.keeps_structure = true;
+    if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next)) {
+        csg_scene_drop_derived(&next);
+        return csg_log_memory(&scene->log);
+    }
+    csg_scene_drop_derived(scene);
+    *scene = next;
+    scene->info.kinds = scene->kinds;
+    return true;
+}

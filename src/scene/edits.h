@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_EDITS_H
+#define CSG_SCENE_EDITS_H
+
+#include "scene/origin.h"
+
+/* What a scene has besides once it is edited. */
+struct csg_edits {
+    struct csg_origins origins;
+    struct csg_tree trees[CSG_NUM_LAYERS]; /* before anything was simplified */
+    size_t num_dropped; /* solids of the text that have no leaf */
+    uint32_t *patches;  /* by leaf: its place + 1 among the patches of the call at hand, or 0 */
+};
+
+/* The scene's edits; made from its text where there are none yet. NULL, with a message, when
+ * memory is out. */
+struct csg_edits *csg_edits_of(struct csgcast_scene *scene);
+void csg_edits_destroy(struct csg_edits *edits);
+
+/* Makes anew what follows from the leaves. false, with a message and nothing changed: no memory. */
+bool csg_edits_refinish(struct csgcast_scene *scene);
+
+/* A leaf as an edit will make it, by and by the leaf as it was. */
+struct csg_patch {
+    uint32_t index;
+    struct csg_leaf leaf;
+    struct csg_origin origin;
+};
+
+/* patch becomes a copy of the leaf as it is now. false: no memory. */
+bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, uint32_t leaf);
+void csg_patch_finish(struct csg_patch *patch);
+
+void csg_patch_set_color(struct csg_patch *patch, const float color[4]);
+void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16]);
+
+/* Takes the node's arguments from text. false, with a message: they are wrong, or no memory. */
+bool csg_patch_set_parameters(struct csg_patch *patch, const struct csgcast_scene *scene,
+                              const char *text);
+
+/* Makes the leaf from its origin. false: no memory. */
+bool csg_patch_place(struct csg_patch *patch);
+
+/* Exchanges the scene's leaf with the patch's. */
+void csg_patch_swap(struct csg_patch *patch, struct csgcast_scene *scene);
+
+#endif

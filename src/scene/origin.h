@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_ORIGIN_H
+#define CSG_SCENE_ORIGIN_H
+
+/*
+ * Where the leaves come from: what an edit starts from. A scene only keeps its text; the first edit
+ * reads it again and keeps what the first reading threw away.
+ */
+
+#include "csg/scene.h"
+#include "scene/nodes.h"
+
+struct csg_origin {
+    struct csg_shape shape; /* in the node's own space; owned */
+    struct csg_space space; /* around the node */
+    uint32_t first, num;    /* the leaves of the node */
+    bool is_nothing;        /* parameters leave nothing: shape means nothing */
+    char *parameters;       /* of the only leaf of its node, owned; NULL: an empty text */
+};
+
+struct csg_origins {
+    struct csg_origin *data; /* by leaf */
+    size_t num, capacity;
+};
+
+/* OpenSCAD knows a colour of which components are unset; here it is set or not. */
+void csg_leaf_set_color(struct csg_leaf *leaf, const float color[4]);
+
+void csg_origins_finish(struct csg_origins *origins);
+
+/* shape is copied. false: out of memory. */
+bool csg_origins_add(struct csg_origins *origins, const struct csg_shape *shape,
+                     const struct csg_space *space);
+
+#endif

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/source.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool copy_string(const char *string, char **copy, const char **used)
+{
+    const size_t size = string ? strlen(string) + 1 : 0;
+    *copy = string ? malloc(size) : NULL;
+    *used = *copy;
+    if (*copy)
+        memcpy(*copy, string, size);
+    return *copy || !string;
+}
+
+struct csg_source *csg_source_create(char *text, size_t size,
+                                     const struct csgcast_scene_params *params)
+{
+    struct csg_source *source = calloc(1, sizeof *source);
+    if (!source) {
+        free(text);
+        return NULL;
+    }
+    source->text = text;
+    source->size = size;
+    source->params = *params;
+    source->params.defines = NULL;
+    source->params.num_defines = 0;
+    const bool named = copy_string(params->name, &source->name, &source->params.name);
+    const bool placed = copy_string(params->directory, &source->directory, &source->params.directory);
+    const bool run = copy_string(params->openscad, &source->openscad, &source->params.openscad);
+    if (named && placed && run)
+        return source;
+    csg_source_destroy(source);
+    return NULL;
+}
+
+void csg_source_destroy(struct csg_source *source)
+{
+    if (!source)
+        return;
+    free(source->text);
+    free(source->name);
+    free(source->directory);
+    free(source->openscad);
+    free(source);
+}

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TESTS_EDIT_MODEL_H
+#define TESTS_EDIT_MODEL_H
+
+/* A random scene that can be changed in one place: each solid has its own matrix and colour. */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define MODEL_MAX_LEAVES 48
+#define MODEL_MAX_NODES 128
+#define MODEL_MAX_TEXT 32768
+
+struct model_leaf {
+    const char *kind;
+    char parameters[128];
+    double matrix[16];
+    float color[4]; /* r < 0: none */
+};
+
+/* The tree in pre-order: a leaf, or an op with this many operands. */
+struct model_node {
+    int op; /* 0 leaf, 1 union, 2 difference, 3 intersection */
+    int num;
+};
+
+struct model {
+    uint64_t state; /* of the random numbers */
+    struct model_leaf leaves[MODEL_MAX_LEAVES];
+    struct model_node nodes[MODEL_MAX_NODES];
+    int num_leaves, num_nodes;
+};
+
+/* Uniform in [lo, hi). */
+double model_random(struct model *model, double lo, double hi);
+
+/* Not more than max_leaves, at most MODEL_MAX_LEAVES. */
+void model_init(struct model *model, uint64_t seed, int max_leaves);
+
+void model_random_matrix(struct model *model, double matrix[16]);
+
+/* Other parameters of the same kind, with as many faces. */
+void model_random_parameters(struct model *model, const char *kind, char parameters[128]);
+
+void model_random_color(struct model *model, float color[4]);
+
+/* The scene as .csg text. */
+void model_print(const struct model *model, char text[MODEL_MAX_TEXT]);
+
+#endif
