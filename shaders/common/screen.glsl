@@ -5,14 +5,14 @@ uniform vec4 csg_screen_depth; /* scale, offset, -, 0: affine, 1: of 1/t, 2: of 
 uniform vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
 
 /* Depth buffer value of a key: 0 near, 1 far. */
-float csg_depth(float k)
+float csg_depth(csg_real k)
 {
     if (csg_screen_depth.w == 0.0)
-        return clamp(csg_screen_depth.x * k + csg_screen_depth.y, 0.0, 1.0);
+        return clamp(float(csg_screen_depth.x * k + csg_screen_depth.y), 0.0, 1.0);
     if (csg_screen_depth.w == 1.0)
-        return 1.0 / (1.0 + (csg_screen_key.x - k) * csg_screen_depth.x);
-    float s = k * csg_screen_depth.x;
-    return 0.5 + 0.5 * s / (1.0 + abs(s));
+        return float(1.0 / (1.0 + (csg_screen_key.x - k) * csg_screen_depth.x));
+    csg_real s = k * csg_screen_depth.x;
+    return float(0.5 + 0.5 * s / (1.0 + abs(s)));
 }
 
 /* Distance along the view axis. */

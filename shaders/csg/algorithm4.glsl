@@ -45,7 +45,7 @@ void csg_collect(int begin, int end, vec2 d)
             continue;
         }
         csg_span span;
-        vec2 gap;
+        csg_real2 gap;
         csg_read_leaf(p, head, d, span, gap);
         if (gap.x < gap.y) {
             csg_insert_span(vec2(span.key.x, min(span.key.y, gap.x)), leaf);
@@ -89,7 +89,7 @@ bool csg_program_holds(int begin, int end)
     return result;
 }
 
-bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place, out bool from_inside)
+bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool from_inside)
 {
     int begin = object.x, end = object.y;
     csg_collect(begin, end, d);

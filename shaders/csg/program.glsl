@@ -8,17 +8,17 @@
 int csg_turns = 0;
 
 /* The leaf whose record is at p; moves p past it. */
-void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 gap)
+void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_real2 gap)
 {
     int flags = int(head.z), entries = int(head.x), exits = int(head.y);
     csg_turns += 3 + (entries + 1) / 2 + (exits + 1) / 2; /* a loop turns once more to end */
     span = csg_whole_ray();
-    gap = vec2(CSG_KEY_MAX);
+    gap = csg_real2(CSG_KEY_MAX);
     csg_clip_planes(p + 1, entries, exits, d, span);
-    p += 1 + entries + exits;
+    p += 1 + (entries + exits) * CSG_TERM_TEXELS;
 #ifdef CSG_HAS_QUADRIC
     if ((flags & CSG_RECORD_QUADRIC) != 0) {
-        csg_crossings at = csg_quadric(csg_texel(p), csg_texel(p + 1), csg_texel(p + 2), d);
+        csg_crossings at = csg_quadric(csg_term(p, 0), csg_term(p, 1), csg_term(p, 2), d);
 #ifdef CSG_HAS_STIFF
         if ((at.code & CSG_QUADRIC_STIFF) != 0)
             at.key = csg_stiff_quadric(p, d);
@@ -29,33 +29,33 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out vec2 g
         else
 #endif
             csg_clip_quadric(at, entries + exits, span);
-        p += CSG_QUADRIC_TEXELS;
+        p += CSG_QUADRIC_TEXELS * CSG_TERM_TEXELS;
     }
 #endif
 }
 
 /* The soonest k' >= k at which the tree can be true. */
-float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
+csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
 {
-    float stack[CSG_STACK_SIZE];
+    csg_real stack[CSG_STACK_SIZE];
     int top = 0;
-    float result = 0.0;
+    csg_real result = 0.0;
     for (int p = begin; p < end && csg_turns < CSG_MAX_TURNS;) {
         vec4 head = csg_texel(p);
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
-        float value;
+        csg_real value;
         if ((flags & CSG_RECORD_POP) != 0) {
             value = result;
             result = stack[--top];
             p++;
         } else {
             csg_span span;
-            vec2 gap;
+            csg_real2 gap;
             csg_read_leaf(p, head, d, span, gap);
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
             /* In an intersection nothing before what the operands so far ask for can be true. */
-            float at = all && (flags & CSG_RECORD_START) == 0 ? result : k;
+            csg_real at = all && (flags & CSG_RECORD_START) == 0 ? result : k;
 #ifdef CSG_HAS_GAP
             value = negated ? csg_outside_gap(at, span.key, gap) : csg_inside_gap(at, span.key, gap);
 #else
@@ -73,7 +73,7 @@ float csg_program_next(int begin, int end, vec2 d, float k, bool dual)
 }
 
 /* Record and face of the literal that is responsible for the change at k. */
-ivec2 csg_program_change(int begin, int end, vec2 d, float k, bool dual)
+ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
 {
     csg_change stack[CSG_STACK_SIZE];
     int top = 0;
@@ -90,7 +90,7 @@ ivec2 csg_program_change(int begin, int end, vec2 d, float k, bool dual)
             p++;
         } else {
             csg_span span;
-            vec2 gap;
+            csg_real2 gap;
             csg_read_leaf(p, head, d, span, gap);
             bool negated = (flags & CSG_RECORD_NEGATED) != 0;
             bvec2 around = csg_around_gap(k, span.key, gap);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* One convex leaf's far side, which shows through its front where it is translucent. */
 
-bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place, out bool inside)
+bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int p = object.x;
     csg_span span;
-    vec2 gap;
+    csg_real2 gap;
     csg_read_leaf(p, csg_texel(p), d, span, gap);
     inside = true;
     k = span.key.y;

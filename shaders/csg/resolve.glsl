@@ -3,14 +3,14 @@
 
 /* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. Out of
  * turns, the answer means nothing. */
-bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place, out bool inside)
+bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;
     k = -CSG_KEY_MAX;
     inside = csg_program_next(begin, end, d, k, false) <= k;
     for (;;) {
         csg_turns += 2;
-        float next = csg_program_next(begin, end, d, k, inside);
+        csg_real next = csg_program_next(begin, end, d, k, inside);
         if (csg_turns >= CSG_MAX_TURNS)
             return true;
         if (!(next > k))

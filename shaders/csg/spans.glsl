@@ -10,23 +10,23 @@
 
 #define CSG_NEVER (2.0 * CSG_KEY_MAX)
 
-float csg_inside(float k, vec2 span)
+csg_real csg_inside(csg_real k, csg_real2 span)
 {
     return k < span.y ? max(k, span.x) : CSG_NEVER;
 }
 
-float csg_outside(float k, vec2 span)
+csg_real csg_outside(csg_real k, csg_real2 span)
 {
     return k >= span.x && k < span.y ? span.y : k;
 }
 
-float csg_inside_gap(float k, vec2 span, vec2 gap)
+csg_real csg_inside_gap(csg_real k, csg_real2 span, csg_real2 gap)
 {
-    float at = csg_outside(max(k, span.x), gap);
+    csg_real at = csg_outside(max(k, span.x), gap);
     return at < span.y ? at : CSG_NEVER;
 }
 
-float csg_outside_gap(float k, vec2 span, vec2 gap)
+csg_real csg_outside_gap(csg_real k, csg_real2 span, csg_real2 gap)
 {
     if (k < span.x || k >= span.y || (k >= gap.x && k < gap.y))
         return k;
@@ -34,23 +34,23 @@ float csg_outside_gap(float k, vec2 span, vec2 gap)
 }
 
 /* The face at k of a leaf that the ray enters or leaves there. A gap's ends are on the quadric. */
-int csg_face_at(float k, csg_span span, bool enters)
+int csg_face_at(csg_real k, csg_span span, bool enters)
 {
     return enters ? span.face.x : span.face.y;
 }
 
-int csg_face_at_gap(float k, csg_span span, vec2 gap, int quadric, bool enters)
+int csg_face_at_gap(csg_real k, csg_span span, csg_real2 gap, int quadric, bool enters)
 {
     return k == (enters ? gap.y : gap.x) ? quadric : csg_face_at(k, span, enters);
 }
 
 /* Membership just before (x) and just after (y) k. */
-bvec2 csg_around(float k, vec2 span)
+bvec2 csg_around(csg_real k, csg_real2 span)
 {
     return bvec2(span.x < k && k <= span.y, span.x <= k && k < span.y);
 }
 
-bvec2 csg_around_gap(float k, vec2 span, vec2 gap)
+bvec2 csg_around_gap(csg_real k, csg_real2 span, csg_real2 gap)
 {
     bvec2 outer = csg_around(k, span), inner = csg_around(k, gap);
     return bvec2(outer.x && !inner.x, outer.y && !inner.y);

@@ -11,7 +11,7 @@ layout(location = 0) out uvec2 csg_visible;
 
 void main()
 {
-    float k;
+    csg_real k;
     ivec2 place;
     bool inside;
     vec2 d = gl_FragCoord.xy + csg_window - csg_at;
@@ -30,9 +30,9 @@ void main()
     int first = (int(head.z) & CSG_RECORD_QUADRIC) != 0 ? CSG_NORMAL_TERMS : 0;
     int face = plane ? first + place.y : 0;
 #else
-    int face = plane ? int(abs(csg_texel(place.x + 1 + place.y).w)) - 1 : 0;
+    int face = plane ? int(abs(csg_texel(place.x + 1 + place.y * CSG_TERM_TEXELS).w)) - 1 : 0;
 #endif
     int normal = int(head.w) * 4 + CSG_ATTRIBUTE_NORMALS + face;
-    csg_visible = uvec2(floatBitsToUint(k), uint(normal + 1));
+    csg_visible = uvec2(floatBitsToUint(float(k)), uint(normal + 1));
     gl_FragDepth = csg_depth(k) - csg_depth_bias;
 }

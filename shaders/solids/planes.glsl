@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Planes: one affine term of the pixel each. Twin of csg_screen_plane in src/pack/screen.c. */
 
-float csg_plane(vec4 texel, vec2 d)
+csg_real csg_plane(csg_real4 texel, vec2 d)
 {
     return texel.x + (texel.y * d.x + texel.z * d.y);
 }
 
 /* Narrows the leaf by one plane of either sense; texel is csg_plane_sense's. */
-void csg_clip_plane(vec4 texel, vec2 d, int face, inout csg_span span)
+void csg_clip_plane(csg_real4 texel, vec2 d, int face, inout csg_span span)
 {
-    float k = csg_plane(texel, d);
+    csg_real k = csg_plane(texel, d);
     csg_enter(k - texel.w, face, span);
     csg_leave(k + (CSG_KEY_MAX - texel.w), face, span);
 }
@@ -20,13 +20,13 @@ void csg_clip_planes(int p, int num_entries, int num_exits, vec2 d, inout csg_sp
 {
     for (int i = 0; i < num_entries; i += 2) {
         int j = min(i + 1, num_entries - 1);
-        csg_enter(csg_plane(csg_texel(p + i), d), i, span);
-        csg_enter(csg_plane(csg_texel(p + j), d), j, span);
+        csg_enter(csg_plane(csg_term(p, i), d), i, span);
+        csg_enter(csg_plane(csg_term(p, j), d), j, span);
     }
     int last = num_entries + num_exits - 1;
     for (int i = num_entries; i <= last; i += 2) {
         int j = min(i + 1, last);
-        csg_leave(csg_plane(csg_texel(p + i), d), i, span);
-        csg_leave(csg_plane(csg_texel(p + j), d), j, span);
+        csg_leave(csg_plane(csg_term(p, i), d), i, span);
+        csg_leave(csg_plane(csg_term(p, j), d), j, span);
     }
 }

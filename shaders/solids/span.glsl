@@ -3,22 +3,22 @@
  * record: planes from 0, then the quadric. */
 
 struct csg_span {
-    vec2 key;
+    csg_real2 key;
     ivec2 face;
 };
 
 csg_span csg_whole_ray()
 {
-    return csg_span(vec2(-CSG_KEY_MAX, CSG_KEY_MAX), ivec2(0));
+    return csg_span(csg_real2(-CSG_KEY_MAX, CSG_KEY_MAX), ivec2(0));
 }
 
-void csg_enter(float k, int face, inout csg_span span)
+void csg_enter(csg_real k, int face, inout csg_span span)
 {
     span.face.x = k > span.key.x ? face : span.face.x;
     span.key.x = max(k, span.key.x);
 }
 
-void csg_leave(float k, int face, inout csg_span span)
+void csg_leave(csg_real k, int face, inout csg_span span)
 {
     span.face.y = k < span.key.y ? face : span.face.y;
     span.key.y = min(k, span.key.y);

@@ -314,6 +314,7 @@ const struct csg_option csg_option_table[] = {
     {"backend", 0, REQUIRED, ALL, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
     {"variant", 0, REQUIRED, ALL, "NAME", "force one way to resolve the Boolean; default auto;\n"
+     "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},
     {"stats", 0, NONE, RENDER, NULL, "print what the frame cost on standard error", set_stats},

@@ -132,6 +132,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.single = packer->terms.leaves.num == 1 &&
                   !(packer->terms.leaves.data[0].flags & (CSG_RECORD_GAP | CSG_RECORD_NEGATED));
     draw.stiff = packer->terms.stiff;
+    draw.precise = packer->terms.precise;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
     if (index != CSG_WHOLE_LAYER && (packer->params->textbook ||
                                      packer->params->whole(index, packer->params->user)))

@@ -26,6 +26,7 @@ struct csg_draw {
     bool translucent;     /* drawn after the opaque objects */
     bool around_eye;  /* the eye can be inside */
     bool stiff;       /* some quadric needs the other form in this view */
+    bool precise;     /* drawn in double: the records hold low parts */
     bool tile;        /* a tile of the object: its records differ from the object's steps */
 };
 
@@ -46,6 +47,7 @@ struct csg_frame_params {
     bool (*whole)(size_t object, const void *user);
     const void *user;
     bool textbook; /* carriers as pack/textbook.h has them */
+    bool precise; /* everything in double */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

@@ -214,21 +214,22 @@ static struct axes axes_of(const double s[6], double pixels)
     return axes;
 }
 
-static float to_float(double value)
+/* Within the range of float. */
+static double clamped(double value)
 {
-    return (float)fmin(fmax(value, -3e38), 3e38);
+    return fmin(fmax(value, -3e38), 3e38);
 }
 
 /* An affine term c0 + cx x + cy y around the leaf's pixel, moved to the object's. */
-static void put_affine(float texel[4], double c0, double cx, double cy, const double shift[2])
+static void put_affine(double texel[4], double c0, double cx, double cy, const double shift[2])
 {
-    texel[0] = to_float(c0 - cx * shift[0] - cy * shift[1]);
-    texel[1] = to_float(cx);
-    texel[2] = to_float(cy);
+    texel[0] = clamped(c0 - cx * shift[0] - cy * shift[1]);
+    texel[1] = clamped(cx);
+    texel[2] = clamped(cy);
 }
 
 /* c in the axes' coordinates: d = ex (x' - ox) / size + ey (y' - oy) / size. */
-static void put_conic(float texels[2][4], const double c[6], const struct axes *axes, double scale)
+static void put_conic(double texels[2][4], const double c[6], const struct axes *axes, double scale)
 {
     const double ux[2] = {axes->ex[0] / axes->size, axes->ex[1] / axes->size};
     const double uy[2] = {axes->ey[0] / axes->size, axes->ey[1] / axes->size};
@@ -238,15 +239,15 @@ static void put_conic(float texels[2][4], const double c[6], const struct axes *
                       c[4] * base[0] * base[1] + c[5] * base[1] * base[1];
     const double grad[2] = {c[1] + 2 * c[3] * base[0] + c[4] * base[1],
                             c[2] + c[4] * base[0] + 2 * c[5] * base[1]};
-    texels[0][0] = to_float(scale * c0);
-    texels[0][1] = to_float(scale * (grad[0] * ux[0] + grad[1] * ux[1]));
-    texels[0][2] = to_float(scale * (grad[0] * uy[0] + grad[1] * uy[1]));
-    texels[1][0] = to_float(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] +
+    texels[0][0] = clamped(scale * c0);
+    texels[0][1] = clamped(scale * (grad[0] * ux[0] + grad[1] * ux[1]));
+    texels[0][2] = clamped(scale * (grad[0] * uy[0] + grad[1] * uy[1]));
+    texels[1][0] = clamped(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] +
                                      c[5] * ux[1] * ux[1]));
-    texels[1][1] = to_float(scale * (2 * c[3] * ux[0] * uy[0] +
+    texels[1][1] = clamped(scale * (2 * c[3] * ux[0] * uy[0] +
                                      c[4] * (ux[0] * uy[1] + ux[1] * uy[0]) +
                                      2 * c[5] * ux[1] * uy[1]));
-    texels[1][2] = to_float(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] +
+    texels[1][2] = clamped(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] +
                                      c[5] * uy[1] * uy[1]));
 }
 
@@ -293,7 +294,7 @@ static double pixel_radius(const struct csg_screen *screen, struct csg_vec3 cent
 void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
                         struct csg_vec3 center, double radius,
-                        float texels[CSG_QUADRIC_TEXELS][4])
+                        double texels[CSG_QUADRIC_TEXELS][4])
 {
     const struct csg_pixel here = csg_screen_pixel(screen, center);
     const double shift[2] = {here.x - at.x, here.y - at.y};
@@ -316,18 +317,18 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     put_affine(texels[0], scale * f.b[0], scale * f.b[1], scale * f.b[2], shift);
     put_affine(texels[1], axes.ox, axes.size * axes.ex[0], axes.size * axes.ex[1], shift);
     put_affine(texels[2], axes.oy, axes.size * axes.ey[0], axes.size * axes.ey[1], shift);
-    texels[1][3] = to_float(axes.c0);
-    texels[2][1] = to_float(axes.cx); /* y' takes its direction from x' */
-    texels[2][2] = to_float(axes.cy);
-    texels[2][3] = to_float(axes.ly);
+    texels[1][3] = clamped(axes.c0);
+    texels[2][1] = clamped(axes.cx); /* y' takes its direction from x' */
+    texels[2][2] = clamped(axes.cy);
+    texels[2][3] = clamped(axes.ly);
     int code = region_code(screen, quadric, f.a, flipped, convex, sheet);
     code += axes.sign_x > 0 ? CSG_QUADRIC_X_PLUS : axes.sign_x < 0 ? CSG_QUADRIC_X_MINUS : 0;
     if (stiff) {
         code += CSG_QUADRIC_STIFF;
         put_conic(&texels[3], f.c, &axes, scale);
-        texels[3][3] = to_float(1 / (scale * f.a));
+        texels[3][3] = clamped(1 / (scale * f.a));
     }
-    texels[0][3] = (float)code;
+    texels[0][3] = code;
 }
 
 /* Half the gradient of f, Q p in canonical space, carried back: affine in the pixel and k. */

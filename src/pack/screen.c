@@ -192,7 +192,7 @@ struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_ve
  * and is far beyond any crossing in view.
  */
 static void put_plane(const struct csg_screen *screen, const double c[3], double slope,
-                      float texel[4])
+                      double texel[4])
 {
     const double size =
         fabs(c[0]) + screen->width * fabs(c[1]) + screen->height * fabs(c[2]);
@@ -200,7 +200,7 @@ static void put_plane(const struct csg_screen *screen, const double c[3], double
     const bool steep = size > CSG_PLANE_KEY_MAX * fabs(slope);
     const double scale = steep ? sign * CSG_PLANE_KEY_MAX / size : size > 0 ? 1 / slope : 0;
     for (int i = 0; i < 3; i++)
-        texel[i] = (float)(scale * c[i]);
+        texel[i] = scale * c[i];
 }
 
 /*
@@ -208,7 +208,7 @@ static void put_plane(const struct csg_screen *screen, const double c[3], double
  * k = -g(0) / g'.
  */
 void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
-                      const struct csg_plane *plane, bool flipped, float texel[4])
+                      const struct csg_plane *plane, bool flipped, double texel[4])
 {
     const struct csg_vec3 n = plane->normal;
     const double ox = csg_dot(n, screen->origin_dx), oy = csg_dot(n, screen->origin_dy);

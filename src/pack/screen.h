@@ -66,7 +66,7 @@ double csg_screen_key(const struct csg_screen *screen, double t);
 /* A plane's texel: c0, cu, cv and 1 for an entry, -1 for an exit, into the side that the plane's
  * normal points away from (flipped: that it points to). */
 void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
-                      const struct csg_plane *plane, bool flipped, float texel[4]);
+                      const struct csg_plane *plane, bool flipped, double texel[4]);
 
 /*
  * A quadric's texels (see shaders/solids/quadric.glsl). convex and sheet as in csg_shape, center:
@@ -75,7 +75,7 @@ void csg_screen_plane(const struct csg_screen *screen, struct csg_pixel at,
 void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
                         struct csg_vec3 center, double radius,
-                        float texels[CSG_QUADRIC_TEXELS][4]);
+                        double texels[CSG_QUADRIC_TEXELS][4]);
 
 /* Terms n0 nu nv nk of the normal of a quadric's surface: gradient of f, not normalised. */
 void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,

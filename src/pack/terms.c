@@ -53,7 +53,7 @@ static void put_normal(float texel[4], struct csg_vec3 normal, double sign, floa
 
 /* The planes' texels, entries before exits, and their normals in the order of the leaf's faces. */
 static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node *node,
-                           uint32_t first_face, float (*texels)[4], float (*normals)[4], float block)
+                           uint32_t first_face, double (*texels)[4], float (*normals)[4], float block)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const uint32_t begin = carriers->face_begin[node->leaf];
@@ -68,18 +68,18 @@ static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node 
             csg_textbook_plane(plane, face.flipped, texels[num_entries++]);
             continue;
         }
-        float texel[4];
+        double texel[4];
         csg_screen_plane(&terms->frame->screen, terms->frame->at, plane, face.flipped, texel);
         /* Exits fill up from the back, so that both runs are contiguous. */
         const uint32_t slot = texel[3] > 0 ? num_entries++ : num - 1 - num_exits++;
-        texel[3] *= (float)(first_face + i + 1);
+        texel[3] *= first_face + i + 1;
         memcpy(texels[slot], texel, sizeof texel);
     }
     return num_entries;
 }
 
 /* The crossings' terms. */
-static void put_crossings(const struct csg_terms *terms, uint32_t leaf, float (*texels)[4])
+static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (*texels)[4])
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
@@ -96,7 +96,7 @@ static void put_crossings(const struct csg_terms *terms, uint32_t leaf, float (*
 }
 
 static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
-                        float (*texels)[4], float (*normals)[4], float block)
+                        double (*texels)[4], float (*normals)[4], float block)
 {
     const struct csg_face face = terms->scene->carriers->quadric_faces[node->leaf];
     const struct csg_quadric *quadric = &terms->scene->carriers->quadrics[face.carrier];
@@ -116,7 +116,7 @@ static bool put_quadric(const struct csg_terms *terms, const struct csg_node *no
 }
 
 /* A solid that no ray meets, with as many faces as the leaf has. */
-static void put_nothing(uint32_t num_planes, bool has_quadric, float (*texels)[4])
+static void put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[4])
 {
     for (uint32_t i = 0; i < num_planes; i++) {
         texels[i][0] = CSG_KEY_MAX;
@@ -146,7 +146,7 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     if (!room || !csg_array_reserve(&terms->texels, 4 * num_texels))
         return false;
     float(*attributes)[4] = (float(*)[4])(room + 4 * padding);
-    float(*texels)[4] = (float(*)[4])(terms->texels.data + terms->texels.num);
+    double(*texels)[4] = (double(*)[4])(terms->texels.data + terms->texels.num);
     float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
     const float mark = (float)(block + 1);
     struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4, .attributes = block};
@@ -172,6 +172,7 @@ bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object)
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
     terms->leaves.num = terms->texels.num = 0;
     terms->translucent = terms->stiff = false;
+    terms->precise = terms->params->precise;
     for (uint32_t i = object->begin; i < object->end; i++)
         if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i]))
             return false;
@@ -186,15 +187,28 @@ static bool add_pop(struct csg_terms *terms, const struct csg_step *step)
     return header != NULL;
 }
 
+/* A term's texel or, for programs in double, its texel and that of its low part. Returns what is
+ * behind them. */
+static float *put_term(const struct csg_terms *terms, const double *term, float *to)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (float)term[i];
+    for (int i = 0; i < 4 && terms->precise; i++)
+        to[4 + i] = (float)(term[i] - (double)to[i]);
+    return to + (terms->precise ? 8 : 4);
+}
+
 /* Copies the planes at places [begin, end) that the filter takes; returns how many. */
-static uint32_t copy_planes(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
-                            uint32_t begin, uint32_t end, const struct csg_record_filter *filter,
-                            float *to)
+static uint32_t put_record_planes(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                                  uint32_t begin, uint32_t end,
+                                  const struct csg_record_filter *filter, float **to)
 {
     uint32_t num = 0;
     for (uint32_t i = begin; i < end; i++)
-        if (!filter || filter->planes[i])
-            memcpy(to + 4 * num++, csg_terms_texel(terms, leaf, i), 4 * sizeof *to);
+        if (!filter || filter->planes[i]) {
+            *to = put_term(terms, csg_terms_texel(terms, leaf, i), *to);
+            num++;
+        }
     return num;
 }
 
@@ -206,24 +220,23 @@ bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
     const struct csg_leaf_terms *leaf = csg_terms_of(terms, step->leaf);
     const uint32_t num_planes = leaf->num_entries + leaf->num_exits;
     const bool quadric = leaf->flags & CSG_RECORD_QUADRIC && (!filter || filter->quadric);
+    const size_t width = terms->precise ? 2 : 1;
     struct csg_frame *frame = terms->frame;
-    float *header = csg_frame_add_texels(frame, 1 + num_planes + CSG_QUADRIC_TEXELS);
+    float *header = csg_frame_add_texels(frame, 1 + width * (num_planes + CSG_QUADRIC_TEXELS));
     if (!header)
         return false;
-    float *planes = header + 4;
-    const uint32_t entries = copy_planes(terms, leaf, 0, leaf->num_entries, filter, planes);
-    const uint32_t exits = copy_planes(terms, leaf, leaf->num_entries, num_planes, filter,
-                                       planes + 4 * entries);
-    const size_t used = entries + exits;
-    if (quadric)
-        memcpy(planes + 4 * used, csg_terms_texel(terms, leaf, num_planes),
-               4 * CSG_QUADRIC_TEXELS * sizeof *planes);
+    float *end = header + 4;
+    const uint32_t entries = put_record_planes(terms, leaf, 0, leaf->num_entries, filter, &end);
+    const uint32_t exits =
+        put_record_planes(terms, leaf, leaf->num_entries, num_planes, filter, &end);
+    for (uint32_t i = 0; i < CSG_QUADRIC_TEXELS && quadric; i++)
+        end = put_term(terms, csg_terms_texel(terms, leaf, num_planes + i), end);
     const uint32_t dropped =
         quadric || !(leaf->flags & CSG_RECORD_QUADRIC) ? 0 : CSG_RECORD_QUADRIC | CSG_RECORD_GAP;
     header[0] = (float)entries;
     header[1] = (float)exits;
     header[2] = (float)(step->flags & ~dropped);
     header[3] = (float)leaf->attributes;
-    frame->texels.num -= 4 * (num_planes - used + (quadric ? 0 : CSG_QUADRIC_TEXELS));
+    frame->texels.num = (size_t)(end - frame->texels.data);
     return true;
 }

@@ -18,10 +18,11 @@ struct csg_terms {
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
     CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
-    CSG_ARRAY(float) texels;                 /* four floats each */
+    CSG_ARRAY(double) texels;                /* four numbers each */
     uint32_t *index;  /* scene leaf -> leaves; valid for the object's leaves */
     uint8_t *known;   /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
+    bool precise;            /* records hold low parts too, for programs in double */
 };
 
 bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
@@ -38,7 +39,7 @@ static inline const struct csg_leaf_terms *csg_terms_of(const struct csg_terms *
 }
 
 /* The texel at place i of a leaf's. */
-static inline const float *csg_terms_texel(const struct csg_terms *terms,
+static inline const double *csg_terms_texel(const struct csg_terms *terms,
                                            const struct csg_leaf_terms *leaf, size_t i)
 {
     return terms->texels.data + 4 * (leaf->texels + i);

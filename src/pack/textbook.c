@@ -55,27 +55,35 @@ static void put_vector(float out[3], struct csg_vec3 v)
     out[2] = to_float(v.z);
 }
 
-void csg_textbook_plane(const struct csg_plane *plane, bool flipped, float texel[4])
+/* The records' writer rounds to float. */
+static void put_term(double out[3], struct csg_vec3 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+void csg_textbook_plane(const struct csg_plane *plane, bool flipped, double texel[4])
 {
     const double sign = flipped ? -1 : 1;
-    put_vector(texel, csg_scale(sign, plane->normal));
-    texel[3] = to_float(sign * plane->offset);
+    put_term(texel, csg_scale(sign, plane->normal));
+    texel[3] = sign * plane->offset;
 }
 
 void csg_textbook_quadric(const struct csg_quadric *quadric, bool flipped,
-                          float texels[CSG_QUADRIC_TEXELS][4])
+                          double texels[CSG_QUADRIC_TEXELS][4])
 {
     const struct form form = form_of(quadric);
     const double scale = (flipped ? -1 : 1) / size_of(&form);
     for (int i = 0; i < CSG_QUADRIC_TEXELS; i++)
         for (int j = 0; j < 4; j++)
             texels[i][j] = 0;
-    put_vector(texels[0], csg_scale(scale, form.a[0]));
-    texels[1][0] = to_float(scale * form.a[1].y);
-    texels[1][1] = to_float(scale * form.a[1].z);
-    texels[1][2] = to_float(scale * form.a[2].z);
-    texels[1][3] = to_float(scale * form.r);
-    put_vector(texels[2], csg_scale(scale, form.q));
+    put_term(texels[0], csg_scale(scale, form.a[0]));
+    texels[1][0] = scale * form.a[1].y;
+    texels[1][1] = scale * form.a[1].z;
+    texels[1][2] = scale * form.a[2].z;
+    texels[1][3] = scale * form.r;
+    put_term(texels[2], csg_scale(scale, form.q));
 }
 
 void csg_textbook_normal(const struct csg_quadric *quadric, float terms[4][3])

@@ -10,12 +10,12 @@
 #include "pack/screen.h"
 
 /* The normal, out of the solid, and the offset. */
-void csg_textbook_plane(const struct csg_plane *plane, bool flipped, float texel[4]);
+void csg_textbook_plane(const struct csg_plane *plane, bool flipped, double texel[4]);
 
 /* p.Ap + 2 q.p + r, scaled so that the largest of A (where A is zero, of q) is 1 in size; negated
  * where flipped. */
 void csg_textbook_quadric(const struct csg_quadric *quadric, bool flipped,
-                          float texels[CSG_QUADRIC_TEXELS][4]);
+                          double texels[CSG_QUADRIC_TEXELS][4]);
 
 /* q and the columns of A: the gradient at p is terms[0] + p.x terms[1] + p.y terms[2] + ... */
 void csg_textbook_normal(const struct csg_quadric *quadric, float terms[4][3]);

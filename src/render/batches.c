@@ -108,11 +108,19 @@ static bool can_be_straight(struct chooser *chooser, const struct csg_structure 
             find_straight(chooser, structure, draw->stiff));
 }
 
+/* What a draw's program must do because of this view. */
+static int view_features(const struct csg_draw *draw)
+{
+    return (draw->stiff ? CSG_FEATURE_STIFF : 0) | (draw->precise ? CSG_FEATURE_DOUBLE : 0);
+}
+
 static enum csg_resolver choose_resolver(struct chooser *chooser,
                                          const struct csg_structure *structure,
                                          const struct csg_draw *draw)
 {
     const int forced = chooser->request->resolver;
+    if (draw->precise)
+        return CSG_RESOLVER_DOUBLE;
     if (forced == CSG_RESOLVER_LOOP)
         return CSG_RESOLVER_LOOP;
     if (forced == CSG_RESOLVER_ALGORITHM4)
@@ -126,9 +134,9 @@ static enum csg_resolver choose_resolver(struct chooser *chooser,
 static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver, int features,
                             enum csg_resolver *chosen)
 {
-    GLuint *shared = resolver == CSG_RESOLVER_LOOP   ? chooser->loops
-                     : resolver == CSG_RESOLVER_REAR ? chooser->rears
-                                                     : chooser->sorted;
+    GLuint *shared = resolver == CSG_RESOLVER_REAR         ? chooser->rears
+                     : resolver == CSG_RESOLVER_ALGORITHM4 ? chooser->sorted
+                                                           : chooser->loops;
     *chosen = resolver;
     if (!shared[features])
         shared[features] = compile(chooser, resolver, NULL, features);
@@ -139,13 +147,11 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
                              enum csg_resolver *resolver)
 {
     if (draw->tile)
-        return choose_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP |
-                                                             (draw->stiff ? CSG_FEATURE_STIFF : 0),
-                             resolver);
+        return choose_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
+                             CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | view_features(draw), resolver);
     const struct csg_structure structure = structure_of(chooser->request, draw->object);
     *resolver = choose_resolver(chooser, &structure, draw);
-    const int features =
-        csg_structure_features(&structure) | (draw->stiff ? CSG_FEATURE_STIFF : 0);
+    const int features = csg_structure_features(&structure) | view_features(draw);
     if (*resolver == CSG_RESOLVER_STRAIGHT)
         return choose_straight(chooser, &structure, draw->stiff, features);
     return choose_shared(chooser, *resolver, features, resolver);
@@ -161,7 +167,8 @@ static bool may_give_up(const struct csg_frame *frame, const struct csg_draw *dr
         const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
         turns += 4 + (entries + 1) / 2 + (exits + 1) / 2;
         leaves++;
-        p += 1 + entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
+        const int terms = entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
+        p += 1 + (draw->precise ? 2 : 1) * terms;
     }
     return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
 }
@@ -190,8 +197,7 @@ static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GL
     enum csg_resolver resolver;
     const bool shows = draw->single && (draw->translucent || draw->paint != CSG_LAYER_MODEL);
     *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
-                                  CSG_FEATURE_QUADRIC | (draw->stiff ? CSG_FEATURE_STIFF : 0),
-                                  &resolver)
+                                  CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
                   : 0;
     return !shows || *rear;
 }

@@ -417,7 +417,8 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
 {
     const struct csg_frame_params params = {
         &request->frustum, request->width,           request->height, request->scheme,
-        request->view->cut_color, csg_draws_whole, request, request->textbook};
+        request->view->cut_color, csg_draws_whole, request, request->textbook,
+        request->resolver == CSG_RESOLVER_DOUBLE};
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);

@@ -94,6 +94,12 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
         return argument_error(renderer, "colour scheme", view->colorscheme);
     if (request->resolver == CSG_NUM_RESOLVERS)
         return argument_error(renderer, "variant", view->variant);
+    if (request->resolver == CSG_RESOLVER_DOUBLE && renderer->gl && !renderer->gl->has_double) {
+        csg_log_error(&renderer->log, CSGCAST_MESSAGE_ARGUMENT,
+                      "variant 'double' needs GL_ARB_gpu_shader_fp64, which %s does not have: use "
+                      "--backend=reference", renderer->gl->name);
+        return false;
+    }
     return csgcast_view_resolve(request->scene, view, &request->frustum);
 }
 

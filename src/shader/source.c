@@ -8,7 +8,8 @@
 
 #include "shader/files.h"
 
-const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "loop", "algorithm4"};
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "loop", "algorithm4",
+                                                               "double"};
 
 const char *csgcast_variant_name(size_t index)
 {
@@ -84,10 +85,12 @@ bool csg_structure_is_small(const struct csg_structure *structure)
     return true;
 }
 
-static void add_preamble(struct csg_text *text)
+static void add_preamble(struct csg_text *text, int features)
 {
-    csg_text_add(text, "#version 330 core\n"
-                       "precision highp float;\n");
+    csg_text_add(text, "#version 330 core\n");
+    if (features & CSG_FEATURE_DOUBLE)
+        csg_text_add(text, "#extension GL_ARB_gpu_shader_fp64 : require\n#define CSG_DOUBLE\n");
+    csg_text_add(text, "precision highp float;\n");
     add_file(text, "common/layout.glsl");
 }
 
@@ -118,8 +121,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 {
     struct csg_text vertex = {0}, fragment = {0};
     const bool textbook = features & CSG_FEATURE_TEXTBOOK;
-    add_preamble(&vertex);
-    add_preamble(&fragment);
+    add_preamble(&vertex, 0);
+    add_preamble(&fragment, features);
     if (textbook) {
         csg_text_add(&vertex, "#define CSG_TEXTBOOK\n");
         csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
@@ -133,6 +136,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     if (features & CSG_FEATURE_STIFF)
         csg_text_add(&fragment, "#define CSG_HAS_STIFF\n");
     add_file(&fragment, "common/data.glsl");
+    add_file(&fragment, "common/real.glsl");
     add_file(&fragment, "common/screen.glsl");
     add_file(&fragment, "solids/span.glsl");
     add_file(&fragment, "solids/sense.glsl");
@@ -155,14 +159,15 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 struct csg_stages csg_source_shade(bool want_leaf, bool textbook)
 {
     struct csg_text vertex = {0}, fragment = {0};
-    add_preamble(&vertex);
+    add_preamble(&vertex, 0);
     add_file(&vertex, "passes/shade.vert.glsl");
-    add_preamble(&fragment);
+    add_preamble(&fragment, 0);
     if (want_leaf)
         csg_text_add(&fragment, "#define CSG_WANT_LEAF\n");
     if (textbook)
         csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
     add_file(&fragment, "common/data.glsl");
+    add_file(&fragment, "common/real.glsl");
     add_file(&fragment, "common/screen.glsl");
     if (textbook) {
         add_file(&fragment, "solids/span.glsl");

@@ -11,6 +11,7 @@ enum csg_resolver {
     CSG_RESOLVER_STRAIGHT,   /* structure compiled in: straight-line code for one small tree */
     CSG_RESOLVER_LOOP,       /* any tree, read from the data texture, no array of crossings */
     CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
+    CSG_RESOLVER_DOUBLE,     /* the loop in double precision, for what float does not hold */
     CSG_NUM_RESOLVERS,
     CSG_RESOLVER_REAR = CSG_NUM_RESOLVERS /* the far side of one convex leaf; not a variant */
 };
@@ -25,8 +26,9 @@ enum csg_feature {
     CSG_FEATURE_QUADRIC = 1, /* some leaf has a quadric */
     CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
     CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
-    CSG_NUM_FEATURE_SETS = 8,
-    CSG_FEATURE_TEXTBOOK = 8 /* all of a frame's programs or none: crossings as textbooks have them */
+    CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
+    CSG_NUM_FEATURE_SETS = 16,
+    CSG_FEATURE_TEXTBOOK = 16 /* all of a frame's programs or none: crossings of textbooks */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */

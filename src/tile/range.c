@@ -13,9 +13,9 @@ static struct csg_range affine(double c0, double cx, double cy, const struct csg
     return (struct csg_range){mid - reach, mid + reach};
 }
 
-struct csg_range csg_range_of_plane(const float texel[4], const struct csg_tile_box *tile)
+struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile)
 {
-    return affine((double)texel[0], (double)texel[1], (double)texel[2], tile);
+    return affine(texel[0], texel[1], texel[2], tile);
 }
 
 /* Range of u (slope + curve u) over a range of u. */
@@ -33,15 +33,15 @@ static struct csg_range parabola(struct csg_range u, double slope, double curve)
 }
 
 /* The conic h, or S where the quadric is stiff; texels as shaders/solids/quadric.glsl reads them. */
-static struct csg_range conic(const float *t, int code, const struct csg_tile_box *tile)
+static struct csg_range conic(const double *t, int code, const struct csg_tile_box *tile)
 {
-    const double x1 = (double)t[5], y1 = (double)t[6];
-    const struct csg_range x = affine((double)t[4], x1, y1, tile);
-    const struct csg_range y = affine((double)t[8], -y1, x1, tile);
+    const double x1 = t[5], y1 = t[6];
+    const struct csg_range x = affine(t[4], x1, y1, tile);
+    const struct csg_range y = affine(t[8], -y1, x1, tile);
     const double curve = code & CSG_QUADRIC_X_MINUS ? -1 : code & CSG_QUADRIC_X_PLUS ? 1 : 0;
-    const struct csg_range xx = parabola(x, (double)t[9], curve);
-    const struct csg_range yy = parabola(y, (double)t[10], (double)t[11]);
-    const double c0 = (double)t[7];
+    const struct csg_range xx = parabola(x, t[9], curve);
+    const struct csg_range yy = parabola(y, t[10], t[11]);
+    const double c0 = t[7];
     const double margin = FLOAT_MARGIN * (fabs(c0) + fmax(fabs(xx.lo), fabs(xx.hi)) +
                                           fmax(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
@@ -53,7 +53,7 @@ struct quadric_range {
     int region;
 };
 
-static struct quadric_range quadric_range(const float *texels, const struct csg_tile_box *tile)
+static struct quadric_range quadric_range(const double *texels, const struct csg_tile_box *tile)
 {
     const int code = (int)texels[3];
     const struct csg_range h = conic(texels, code, tile);
@@ -66,7 +66,7 @@ static struct quadric_range quadric_range(const float *texels, const struct csg_
         return range;
     }
     const struct csg_range m =
-        affine((double)texels[0], (double)texels[1], (double)texels[2], tile);
+        affine(texels[0], texels[1], texels[2], tile);
     const double margin = FLOAT_MARGIN * (fabs(m.lo) + fabs(m.hi) + most);
     range.first = (struct csg_range){m.lo - most - margin, m.hi - least + margin};
     range.second = (struct csg_range){m.lo + least - margin, m.hi + most + margin};

@@ -19,7 +19,7 @@ struct csg_leaf_range {
     bool solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
 
-struct csg_range csg_range_of_plane(const float texel[4], const struct csg_tile_box *tile);
+struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile);
 
 /*
  * The leaf's range. takes, where not NULL, gets which of its planes can be its entry or exit

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The numbers that keys are made of: float, or double in programs for objects that float does not
+ * hold (docs/numerics.md). Their records then have two texels a term, its float and what is left.
+ */
+
+#ifdef CSG_DOUBLE
+#define csg_real double
+#define csg_real2 dvec2
+#define csg_real4 dvec4
+#define CSG_TERM_TEXELS 2
+#else
+#define csg_real float
+#define csg_real2 vec2
+#define csg_real4 vec4
+#define CSG_TERM_TEXELS 1
+#endif
+
+/* Term i of those that begin at texel p. */
+csg_real4 csg_term(int p, int i)
+{
+#ifdef CSG_DOUBLE
+    return dvec4(csg_texel(p + 2 * i)) + dvec4(csg_texel(p + 2 * i + 1));
+#else
+    return csg_texel(p + i);
+#endif
+}
