@@ -5,7 +5,7 @@
 file(GLOB tool_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.c)
 add_executable(csgcast-tool ${tool_sources})
 target_include_directories(csgcast-tool PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
-target_link_libraries(csgcast-tool PRIVATE csgcast)
+target_link_libraries(csgcast-tool PRIVATE csgcast csgcast_compare m)
 csgcast_strict(csgcast-tool)
 
 # The installed tool finds its library under any prefix, also before ldconfig has run.
@@ -17,4 +17,7 @@ set_target_properties(csgcast-tool PROPERTIES OUTPUT_NAME csgcast
 add_custom_target(csgcast-runtime DEPENDS csgcast-tool)
 if(TARGET csgcast-image)
     add_dependencies(csgcast-runtime csgcast-image)
+endif()
+if(TARGET csgcast-compare)
+    add_dependencies(csgcast-runtime csgcast-compare)
 endif()

@@ -141,17 +141,3 @@ struct csgcast_camera camera_random(unsigned number, const struct csg_box *box)
         .projection = number % 2 ? CSGCAST_ORTHOGRAPHIC : CSGCAST_PERSPECTIVE,
     };
 }
-
-struct ray camera_ray(const struct csgcast_frustum *frustum, int width, int height, double x,
-                      double y)
-{
-    const double right = frustum->half_width * (2 * x / width - 1);
-    const double up = frustum->half_height * (1 - 2 * y / height);
-    const struct csg_vec3 eye = from_array(frustum->eye);
-    const struct csg_vec3 forward = from_array(frustum->forward);
-    const struct csg_vec3 across = csg_add(csg_scale(right, from_array(frustum->right)),
-                                           csg_scale(up, from_array(frustum->up)));
-    if (frustum->orthographic)
-        return (struct ray){.org = csg_add(eye, across), .dir = forward, .tnear = 0};
-    return (struct ray){.org = eye, .dir = csg_add(forward, across), .tnear = 0};
-}

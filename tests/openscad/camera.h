@@ -7,8 +7,7 @@
  * picture.sh: the referee does not take csgcast's word for where the rays go.
  */
 
-#include "caster.h"
-#include "csgcast/csgcast.h"
+#include "compare/mesh_view.h"
 
 /* box: what viewall and autocenter look at. */
 struct csgcast_frustum camera_frustum(const struct csgcast_view *view, const struct csg_box *box);
@@ -18,9 +17,5 @@ bool camera_parse(const char *text, struct csgcast_camera *camera);
 
 /* A view of the box from a random side, perspective for even numbers, orthographic for odd ones. */
 struct csgcast_camera camera_random(unsigned number, const struct csg_box *box);
-
-/* The ray through the point (x, y) of the picture, pixels from the left and top; t is depth. */
-struct ray camera_ray(const struct csgcast_frustum *frustum, int width, int height, double x,
-                      double y);
 
 #endif

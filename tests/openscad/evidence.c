@@ -6,15 +6,15 @@
 
 static const int max_printed = 3;
 
-void evidence_print(const struct reference *reference, const struct csgcast_image *image,
-                    const struct comparison *comparison)
+void evidence_print(const struct csg_mesh_view *reference, const struct csgcast_image *image,
+                    const struct csg_comparison *comparison)
 {
     int num_printed = 0;
     const size_t num_pixels = (size_t)reference->width * (size_t)reference->height;
     for (size_t i = 0; i < num_pixels && num_printed < max_printed; i++) {
-        const struct hit *hit = &reference->hits[i];
+        const struct csg_mesh_hit *hit = &reference->hits[i];
         const float *n = &image->normal[3 * i];
-        if (comparison->verdicts[i] != VERDICT_OFF && comparison->verdicts[i] != VERDICT_DEPTH)
+        if (comparison->verdicts[i] != CSG_VERDICT_OFF && comparison->verdicts[i] != CSG_VERDICT_DEPTH)
             continue;
         printf("    pixel %zu,%zu: z %.9g n %.3f %.3f %.3f, mesh z %.9g n %.3f %.3f %.3f\n",
                i % (size_t)reference->width, i / (size_t)reference->width, (double)image->z[i],
@@ -41,20 +41,20 @@ static void set_normal(float *rgba, bool found, double x, double y, double z)
         set_color(rgba, 0, 0, 0);
 }
 
-static void set_verdict(float *rgba, const struct comparison *comparison, bool found, size_t i)
+static void set_verdict(float *rgba, const struct csg_comparison *comparison, bool found, size_t i)
 {
     const double gray = found ? 0.6 : 0.2;
-    switch ((enum verdict)comparison->verdicts[i]) {
-    case VERDICT_EDGE:
+    switch ((enum csg_verdict)comparison->verdicts[i]) {
+    case CSG_VERDICT_EDGE:
         set_color(rgba, 1, 1, 0);
         break;
-    case VERDICT_THIN:
+    case CSG_VERDICT_THIN:
         set_color(rgba, 0.2, 0.2, 1);
         break;
-    case VERDICT_OFF:
+    case CSG_VERDICT_OFF:
         set_color(rgba, 1, 0, 0);
         break;
-    case VERDICT_DEPTH:
+    case CSG_VERDICT_DEPTH:
         set_color(rgba, 1, 0, 1);
         break;
     default:
@@ -62,7 +62,7 @@ static void set_verdict(float *rgba, const struct comparison *comparison, bool f
     }
 }
 
-static void write_picture(const char *stem, const char *kind, const struct reference *reference,
+static void write_picture(const char *stem, const char *kind, const struct csg_mesh_view *reference,
                           float *rgba)
 {
     char path[512];
@@ -72,8 +72,8 @@ static void write_picture(const char *stem, const char *kind, const struct refer
         printf("    see %s\n", path);
 }
 
-void evidence_write(const char *stem, const struct reference *reference,
-                    const struct csgcast_image *image, const struct comparison *comparison)
+void evidence_write(const char *stem, const struct csg_mesh_view *reference,
+                    const struct csgcast_image *image, const struct csg_comparison *comparison)
 {
     const size_t num_pixels = (size_t)reference->width * (size_t)reference->height;
     float *rgba = calloc(num_pixels * 4, sizeof *rgba);
@@ -86,7 +86,7 @@ void evidence_write(const char *stem, const struct reference *reference,
     }
     write_picture(stem, "out", reference, rgba);
     for (size_t i = 0; i < num_pixels; i++) {
-        const struct hit *hit = &reference->hits[i];
+        const struct csg_mesh_hit *hit = &reference->hits[i];
         set_normal(&rgba[4 * i], hit->found, hit->normal.x, hit->normal.y, hit->normal.z);
     }
     write_picture(stem, "ref", reference, rgba);

@@ -24,6 +24,7 @@
  *                 surface must shrink fourfold; --sagitta is that of the first mesh
  */
 
+#include "camera.h"
 #include "evidence.h"
 #include "options.h"
 
@@ -112,7 +113,7 @@ static bool check_frustum(const struct session *session, const struct csgcast_vi
     return true;
 }
 
-static bool within_limits(const struct options *options, const struct comparison *result)
+static bool within_limits(const struct options *options, const struct csg_comparison *result)
 {
     const bool exact = options->sagitta > 0;
     const double edge_limit = exact ? INFINITY : options->edge * (double)result->num_edges + 1;
@@ -120,7 +121,7 @@ static bool within_limits(const struct options *options, const struct comparison
     return result->num_off + result->num_depth <= options->off &&
            (double)result->num_edge_mismatches <= edge_limit &&
            (double)result->num_thin <= thin_limit &&
-           (exact || result->p999_normal <= options->normal);
+           (exact || result->normal.p999 <= options->normal);
 }
 
 static double radius_of(const struct csg_box *box)
@@ -129,19 +130,19 @@ static double radius_of(const struct csg_box *box)
 }
 
 static void print_result(const struct session *session, const struct csgcast_view *view,
-                         unsigned number, const struct comparison *result, bool ok)
+                         unsigned number, const struct csg_comparison *result, bool ok)
 {
     printf("%s %s view %u %s: hits %zu edge %zu/%zu thin %zu off %zu depth %zu"
            " | dz/z max %.2g p99.9 %.2g | normal max %.2g p99.9 %.2g deg",
            ok ? "ok  " : "FAIL", session->options->name, session->options->seed + number,
            view->camera.projection == CSGCAST_ORTHOGRAPHIC ? "ortho" : "persp", result->num_hits,
            result->num_edge_mismatches, result->num_edges, result->num_thin, result->num_off,
-           result->num_depth, result->max_depth, result->p999_depth, result->max_normal,
-           result->p999_normal);
+           result->num_depth, result->relative.max, result->relative.p999, result->normal.max,
+           result->normal.p999);
     if (session->options->depth_of_radius > 0)
-        printf(" | dz/r %.2g", result->max_error / radius_of(&session->bounds));
+        printf(" | dz/r %.2g", result->depth.max / radius_of(&session->bounds));
     if (session->options->sagitta > 0)
-        printf(" | offset max %.3g rms %.3g of %.3g", result->max_offset, result->rms_offset,
+        printf(" | offset max %.3g rms %.3g of %.3g", result->offset.max, result->rms_offset,
                session->options->sagitta);
     printf("\n");
 }
@@ -155,33 +156,33 @@ static double largest_coordinate(const struct csg_box *box)
 }
 
 /* Traces the mesh, renders the scene and compares. The caller frees result->verdicts. */
-static bool compare_view(const struct session *session, struct caster *caster,
-                         const struct csgcast_view *view, struct reference *reference,
-                         struct comparison *result)
+static bool compare_view(const struct session *session, struct csg_caster *caster,
+                         const struct csgcast_view *view, struct csg_mesh_view *reference,
+                         struct csg_comparison *result)
 {
     const struct options *options = session->options;
     const struct csgcast_image image = {.z = session->z, .normal = session->normal};
     const struct csgcast_frustum frustum = camera_frustum(view, &session->bounds);
-    const struct tolerance tolerance = {
+    const struct csg_compare_tolerance tolerance = {
         .depth = options->depth,
         .rounding = csg_rounding * largest_coordinate(&session->bounds),
         .sagitta = options->sagitta,
         .absolute = options->depth_of_radius * radius_of(&session->bounds),
     };
     if (!check_frustum(session, view, &frustum) ||
-        !reference_init(reference, caster, &frustum, view->width, view->height))
+        !csg_mesh_view_init(reference, caster, &frustum, view->width, view->height))
         return false;
-    reference_mark_edges(reference, options->sagitta);
-    return csgcast_render(session->renderer, session->scene, view, &image) &&
-           compare(reference, &image, &tolerance, result);
+    return csg_mesh_view_mark_edges(reference, options->sagitta) &&
+           csgcast_render(session->renderer, session->scene, view, &image) &&
+           csg_compare(reference, &image, &tolerance, result);
 }
 
-static bool referee_view(const struct session *session, struct caster *caster, unsigned number)
+static bool referee_view(const struct session *session, struct csg_caster *caster, unsigned number)
 {
     const struct csgcast_image image = {.z = session->z, .normal = session->normal};
     const struct csgcast_view view = session_view(session, number);
-    struct reference reference = {0};
-    struct comparison result = {0};
+    struct csg_mesh_view reference = {0};
+    struct csg_comparison result = {0};
     bool ok = false;
     if (compare_view(session, caster, &view, &reference, &result)) {
         char stem[256];
@@ -197,30 +198,31 @@ static bool referee_view(const struct session *session, struct caster *caster, u
         printf("FAIL %s view %u\n", session->options->name, session->options->seed + number);
     }
     free(result.verdicts);
-    reference_finish(&reference);
+    csg_mesh_view_finish(&reference);
     return ok;
 }
 
-static struct caster *load_caster(const char *path, struct csg_box *bounds)
+static struct csg_caster *load_caster(const char *path, struct csg_box *bounds)
 {
-    struct mesh mesh;
-    if (!mesh_read(path, &mesh))
+    static const struct csg_log log;
+    struct csg_soup mesh;
+    if (!csg_soup_read(path, &mesh, &log))
         return NULL;
-    struct caster *caster = caster_create(&mesh);
+    struct csg_caster *caster = csg_caster_create(&mesh, &log);
     *bounds = mesh.bounds;
-    mesh_finish(&mesh);
+    csg_soup_finish(&mesh);
     return caster;
 }
 
 static bool referee_views(struct session *session)
 {
     bool ok = true;
-    struct caster *caster = load_caster(session->options->meshes[0], &session->bounds);
+    struct csg_caster *caster = load_caster(session->options->meshes[0], &session->bounds);
     if (!caster)
         return false;
     for (unsigned i = 0; i < session_num_views(session); i++)
         ok = referee_view(session, caster, i) && ok;
-    caster_destroy(caster);
+    csg_caster_destroy(caster);
     return ok;
 }
 
@@ -230,22 +232,22 @@ static double rms_of_mesh(struct session *session, int index)
     double sum = 0;
     size_t num = 0;
     struct csg_box bounds;
-    struct caster *caster = load_caster(session->options->meshes[index], &bounds);
+    struct csg_caster *caster = load_caster(session->options->meshes[index], &bounds);
     if (!caster)
         return NAN;
     if (index == 0)
         session->bounds = bounds; /* the same cameras for all meshes */
     for (unsigned i = 0; i < session_num_views(session); i++) {
         const struct csgcast_view view = session_view(session, i);
-        struct reference reference = {0};
-        struct comparison result = {0};
+        struct csg_mesh_view reference = {0};
+        struct csg_comparison result = {0};
         const bool ok = compare_view(session, caster, &view, &reference, &result);
         sum += ok ? result.rms_offset * result.rms_offset * (double)result.num_compared : NAN;
         num += result.num_compared;
         free(result.verdicts);
-        reference_finish(&reference);
+        csg_mesh_view_finish(&reference);
     }
-    caster_destroy(caster);
+    csg_caster_destroy(caster);
     return num > 0 ? sqrt(sum / (double)num) : NAN;
 }
 

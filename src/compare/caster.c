@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "caster.h"
+#include "compare/caster.h"
 
 #include "common/array.h"
 
@@ -27,29 +27,29 @@ struct crossing {
     bool enters;
 };
 
-struct caster {
+struct embree_caster {
+    struct csg_caster base; /* first, so that a cast leads back */
     RTCDevice device;
     RTCScene scene;
     struct csg_vec3 center; /* subtracted from all vertices, so that floats hold them well */
     double radius;
     size_t num_triangles;
-    struct triangle *triangles;
+    struct csg_triangle *triangles;
     CSG_ARRAY(struct crossing) crossings; /* of the ray in flight */
-    bool out_of_memory;
 };
 
 /* Embree hands the context through to the callback: this is how the double ray gets there. */
 struct query {
     struct RTCIntersectContext context; /* first, so that a cast leads back to the query */
-    struct caster *caster;
+    struct embree_caster *caster;
     struct csg_vec3 org, dir;
     double tnear;
 };
 
 static void set_bounds(const struct RTCBoundsFunctionArguments *args)
 {
-    const struct caster *caster = args->geometryUserPtr;
-    const struct triangle *triangle = &caster->triangles[args->primID];
+    const struct embree_caster *caster = args->geometryUserPtr;
+    const struct csg_triangle *triangle = &caster->triangles[args->primID];
     const double pad = BOX_PADDING * caster->radius + DBL_MIN;
     struct csg_box box = csg_box_empty;
     for (int i = 0; i < 3; i++)
@@ -78,8 +78,8 @@ static bool passes_inside(struct csg_vec3 dir, struct csg_vec3 a, struct csg_vec
 static void intersect(const struct RTCIntersectFunctionNArguments *args)
 {
     struct query *query = (struct query *)args->context;
-    struct caster *caster = query->caster;
-    const struct triangle *triangle = &caster->triangles[args->primID];
+    struct embree_caster *caster = query->caster;
+    const struct csg_triangle *triangle = &caster->triangles[args->primID];
     const struct csg_vec3 a = csg_sub(triangle->corner[0], query->org);
     const struct csg_vec3 b = csg_sub(triangle->corner[1], query->org);
     const struct csg_vec3 c = csg_sub(triangle->corner[2], query->org);
@@ -93,10 +93,10 @@ static void intersect(const struct RTCIntersectFunctionNArguments *args)
         .enters = slope < 0,
     };
     if (crossing.t >= query->tnear && !csg_array_push(&caster->crossings, crossing))
-        caster->out_of_memory = true;
+        caster->base.failed = true;
 }
 
-static bool create_scene(struct caster *caster)
+static bool create_scene(struct embree_caster *caster)
 {
     caster->device = rtcNewDevice("threads=1");
     if (!caster->device)
@@ -115,50 +115,16 @@ static bool create_scene(struct caster *caster)
     return rtcGetDeviceError(caster->device) == RTC_ERROR_NONE;
 }
 
-static void copy_centered(struct caster *caster, const struct mesh *mesh)
+static void copy_centered(struct embree_caster *caster, const struct csg_soup *soup)
 {
-    if (mesh->num_triangles > 0) {
-        const struct csg_vec3 diagonal = csg_sub(mesh->bounds.hi, mesh->bounds.lo);
-        caster->center = csg_scale(0.5, csg_add(mesh->bounds.lo, mesh->bounds.hi));
+    if (soup->num_triangles > 0) {
+        const struct csg_vec3 diagonal = csg_sub(soup->bounds.hi, soup->bounds.lo);
+        caster->center = csg_scale(0.5, csg_add(soup->bounds.lo, soup->bounds.hi));
         caster->radius = 0.5 * csg_length(diagonal);
     }
-    for (size_t i = 0; i < mesh->num_triangles; i++)
+    for (size_t i = 0; i < soup->num_triangles; i++)
         for (int k = 0; k < 3; k++)
-            caster->triangles[i].corner[k] =
-                csg_sub(mesh->triangles[i].corner[k], caster->center);
-}
-
-struct caster *caster_create(const struct mesh *mesh)
-{
-    struct caster *caster = calloc(1, sizeof *caster);
-    if (!caster)
-        goto error;
-    caster->num_triangles = mesh->num_triangles;
-    caster->triangles = calloc(mesh->num_triangles + 1, sizeof *caster->triangles);
-    if (!caster->triangles)
-        goto error;
-    copy_centered(caster, mesh);
-    if (!create_scene(caster))
-        goto error;
-    return caster;
-
-error:
-    fprintf(stderr, "referee: Embree cannot take the mesh\n");
-    caster_destroy(caster);
-    return NULL;
-}
-
-void caster_destroy(struct caster *caster)
-{
-    if (!caster)
-        return;
-    if (caster->scene)
-        rtcReleaseScene(caster->scene);
-    if (caster->device)
-        rtcReleaseDevice(caster->device);
-    free(caster->crossings.data);
-    free(caster->triangles);
-    free(caster);
+            caster->triangles[i].corner[k] = csg_sub(soup->triangles[i].corner[k], caster->center);
 }
 
 static int compare_crossings(const void *left, const void *right)
@@ -168,7 +134,7 @@ static int compare_crossings(const void *left, const void *right)
 }
 
 /* The first crossing that is not one side of a skin. Crossings are sorted. */
-static struct hit first_hit(const struct caster *caster, double dir_length)
+static struct csg_mesh_hit first_hit(const struct embree_caster *caster, double dir_length)
 {
     const double thickness = SKIN_THICKNESS * caster->radius / dir_length;
     const struct crossing *crossings = caster->crossings.data;
@@ -178,8 +144,8 @@ static struct hit first_hit(const struct caster *caster, double dir_length)
            crossings[i + 1].t - crossings[i].t <= thickness)
         i += 2;
     if (i >= num)
-        return (struct hit){.found = false};
-    return (struct hit){.found = true, .t = crossings[i].t, .normal = crossings[i].normal};
+        return (struct csg_mesh_hit){.found = false};
+    return (struct csg_mesh_hit){.found = true, .t = crossings[i].t, .normal = crossings[i].normal};
 }
 
 /* Embree's own ray starts where the mesh's sphere does: floats are coarse far from the mesh. */
@@ -187,17 +153,24 @@ static void shoot(struct query *query, double start)
 {
     const struct csg_vec3 org = csg_add(query->org, csg_scale(start, query->dir));
     struct RTCRayHit rayhit = {
-        .ray = {.org_x = (float)org.x, .org_y = (float)org.y, .org_z = (float)org.z,
-                .dir_x = (float)query->dir.x, .dir_y = (float)query->dir.y,
-                .dir_z = (float)query->dir.z, .tnear = 0, .tfar = INFINITY, .mask = UINT32_MAX},
+        .ray = {.org_x = (float)org.x,
+                .org_y = (float)org.y,
+                .org_z = (float)org.z,
+                .dir_x = (float)query->dir.x,
+                .dir_y = (float)query->dir.y,
+                .dir_z = (float)query->dir.z,
+                .tnear = 0,
+                .tfar = INFINITY,
+                .mask = UINT32_MAX},
         .hit = {.geomID = RTC_INVALID_GEOMETRY_ID},
     };
     rtcInitIntersectContext(&query->context);
     rtcIntersect1(query->caster->scene, &query->context, &rayhit);
 }
 
-struct hit caster_trace(struct caster *caster, const struct ray *ray)
+static struct csg_mesh_hit trace(struct csg_caster *base, const struct csg_mesh_ray *ray)
 {
+    struct embree_caster *caster = (struct embree_caster *)base;
     const double length = csg_length(ray->dir);
     struct query query = {
         .caster = caster,
@@ -206,13 +179,45 @@ struct hit caster_trace(struct caster *caster, const struct ray *ray)
         .tnear = ray->tnear,
     };
     if (caster->num_triangles == 0)
-        return (struct hit){.found = false};
+        return (struct csg_mesh_hit){.found = false};
     const double closest = -csg_dot(query.org, query.dir) / (length * length);
     caster->crossings.num = 0;
     shoot(&query, closest - 1.01 * caster->radius / length);
-    if (caster->out_of_memory)
-        fprintf(stderr, "referee: out of memory\n");
     qsort(caster->crossings.data, caster->crossings.num, sizeof *caster->crossings.data,
           compare_crossings);
     return first_hit(caster, length);
+}
+
+static void destroy(struct csg_caster *base)
+{
+    struct embree_caster *caster = (struct embree_caster *)base;
+    if (caster->scene)
+        rtcReleaseScene(caster->scene);
+    if (caster->device)
+        rtcReleaseDevice(caster->device);
+    free(caster->crossings.data);
+    free(caster->triangles);
+    free(caster);
+}
+
+struct csg_caster *csg_caster_create(const struct csg_soup *soup, const struct csg_log *log)
+{
+    struct embree_caster *caster = calloc(1, sizeof *caster);
+    struct csg_triangle *triangles = calloc(soup->num_triangles + 1, sizeof *triangles);
+    if (!caster || !triangles) {
+        free(caster);
+        free(triangles);
+        csg_log_memory(log);
+        return NULL;
+    }
+    caster->base = (struct csg_caster){.trace = trace, .destroy = destroy};
+    caster->num_triangles = soup->num_triangles;
+    caster->triangles = triangles;
+    copy_centered(caster, soup);
+    if (create_scene(caster))
+        return &caster->base;
+    csg_log_error(log, CSGCAST_MESSAGE_FILE, "Embree cannot take a mesh of %zu triangles",
+                  soup->num_triangles);
+    destroy(&caster->base);
+    return NULL;
 }
