@@ -5,79 +5,18 @@
 #include "commands.h"
 #include "messages.h"
 #include "options.h"
+#include "output.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
-
-static bool is_stream(const char *path)
-{
-    return !strcmp(path, "-");
-}
 
 static bool has_extension(const char *path, const char *extension)
 {
     const char *dot = strrchr(path, '.');
     return dot && !strcmp(dot, extension);
-}
-
-/* ---- where the image goes ----------------------------------------------------------------- */
-
-/* "dir/part.scad" gives "part.png"; NULL when memory is out. */
-static char *default_output(const char *input, const char *format)
-{
-    const char *slash = strrchr(input, '/');
-    const char *name = slash ? slash + 1 : input;
-    const char *dot = strrchr(name, '.');
-    const int length = (int)(dot && dot != name ? (size_t)(dot - name) : strlen(name));
-    const char *extension = format ? format : "png";
-    const size_t size = strlen(name) + strlen(extension) + 2;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%.*s.%s", length, name, extension);
-    return path;
-}
-
-/* The folder of a path in a new string, "." when it names none; NULL when memory is out. */
-static char *folder_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
-    char *folder = malloc(length + 1);
-    if (!folder)
-        return NULL;
-    memcpy(folder, slash ? path : ".", length);
-    folder[length] = 0;
-    return folder;
-}
-
-/* Finds out before the work, and not after it, that the image has nowhere to go. */
-static enum csg_cli_exit check_output(const char *input, const char *output)
-{
-    struct stat in, out;
-    if (is_stream(output))
-        return CSG_EXIT_OK;
-    if (!stat(output, &out)) {
-        if (S_ISDIR(out.st_mode)) {
-            csg_cli_error("cannot write %s: it is a folder", output);
-            return CSG_EXIT_OUTPUT;
-        }
-        if (!stat(input, &in) && in.st_dev == out.st_dev && in.st_ino == out.st_ino) {
-            csg_cli_error("the image %s would overwrite the scene", output);
-            return CSG_EXIT_USAGE;
-        }
-    }
-    char *folder = folder_of(output);
-    const bool writable = folder && !access(folder, W_OK | X_OK);
-    if (!writable)
-        csg_cli_error("cannot write %s: %s", output, strerror(folder ? errno : ENOMEM));
-    free(folder);
-    return writable ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
 }
 
 /* ---- the picture in memory ---------------------------------------------------------------- */
@@ -231,28 +170,20 @@ static void warn_defines(const struct csg_cli_options *options)
     }
 }
 
+static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output)
+{
+    warn_defines(options);
+    csgcast_image_preload();
+    struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
+    const enum csg_cli_exit result =
+        scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
+    csgcast_scene_destroy(scene);
+    return result;
+}
+
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
-    if (is_stream(options->input) && !options->output) {
-        csg_cli_error("a scene from standard input needs -o FILE");
-        return CSG_EXIT_USAGE;
-    }
-    char *named = options->output ? NULL : default_output(options->input, options->write.format);
-    const char *output = options->output ? options->output : named;
-    if (!output) {
-        csg_cli_error("out of memory");
-        return CSG_EXIT_FAILED;
-    }
-    enum csg_cli_exit result = check_output(options->input, output);
-    if (result == CSG_EXIT_OK) {
-        warn_defines(options);
-        csgcast_image_preload();
-        struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
-        result = scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
-        csgcast_scene_destroy(scene);
-    }
-    free(named);
-    return result;
+    return csg_cli_with_output(options, "png", run_to);
 }
 
 const struct csg_cli_command csg_command_render = {

@@ -18,7 +18,8 @@ enum csg_cli_exit {
 enum csg_cli_command_bit {
     CSG_COMMAND_RENDER = 1,
     CSG_COMMAND_INFO = 2,
-    CSG_COMMAND_ALL = 3,
+    CSG_COMMAND_EXPORT = 4,
+    CSG_COMMAND_BENCH = 8,
 };
 
 struct csg_cli_command {
@@ -28,10 +29,12 @@ struct csg_cli_command {
     const char *usage;   /* what follows "csgcast NAME" */
     const char *text;    /* help between usage and options */
     const char *tail;    /* help after the options: examples */
+    bool many; /* takes more than one scene */
     enum csg_cli_exit (*run)(const struct csg_cli_options *options);
 };
 
 extern const struct csg_cli_command csg_command_render;
 extern const struct csg_cli_command csg_command_info;
+extern const struct csg_cli_command csg_command_export;
 
 #endif

@@ -12,7 +12,8 @@
 #include <string.h>
 #include <unistd.h>
 
-static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info};
+static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info,
+                                                         &csg_command_export};
 
 #define NUM_COMMANDS (sizeof commands / sizeof *commands)
 #define MAX_SUGGESTION_DISTANCE 3

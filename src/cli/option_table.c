@@ -265,14 +265,24 @@ static const char *set_help(struct csg_cli_options *options, const char *value)
 #define OPTIONAL CSG_ARGUMENT_OPTIONAL
 #define RENDER CSG_COMMAND_RENDER
 #define INFO CSG_COMMAND_INFO
-#define ALL CSG_COMMAND_ALL
+#define EXPORT CSG_COMMAND_EXPORT
+#define BENCH CSG_COMMAND_BENCH
+#define VIEW (RENDER | EXPORT | BENCH) /* commands that look at the scene */
+#define DRAW (RENDER | INFO | BENCH)   /* that render a frame */
+#define ALL (RENDER | INFO | EXPORT | BENCH)
 
 const struct csg_option csg_option_table[] = {
     {"output", 'o', REQUIRED, RENDER, "FILE",
      "the image; its extension is the format; - is standard output\n"
      "default: the scene's name with .png, in the current directory",
      set_output},
-    {"o", 0, REQUIRED, RENDER, "FILE", NULL, set_output},
+    {"output", 'o', REQUIRED, EXPORT, "FILE",
+     "the exported scene; its extension is the format (.pov: POV-Ray);\n"
+     "- is standard output; default: the scene's name with .pov, in\n"
+     "the current directory",
+     set_output},
+    {"o", 0, REQUIRED, RENDER | EXPORT, "FILE", NULL, set_output},
+    {"format", 0, REQUIRED, EXPORT, "NAME", "pov instead of the extension", set_format},
     {"format", 0, REQUIRED, RENDER, "NAME", "png, exr, tif, ... instead of the extension",
      set_format},
     {"export-format", 0, REQUIRED, RENDER, "NAME", NULL, set_format},
@@ -281,20 +291,20 @@ const struct csg_option csg_option_table[] = {
      "what an EXR carries besides colour: Z (distance along the view\n"
      "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
      set_aov},
-    {"imgsize", 0, REQUIRED, RENDER, "W,H", "size in pixels; default 512,512", set_imgsize},
-    {"camera", 0, REQUIRED, RENDER, "NUMBERS",
+    {"imgsize", 0, REQUIRED, VIEW, "W,H", "size in pixels; default 512,512", set_imgsize},
+    {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
      "default: rotation 55,0,25, the whole scene in view",
      set_camera},
-    {"projection", 0, REQUIRED, RENDER, "p|o", "perspective (default) or orthographic",
+    {"projection", 0, REQUIRED, VIEW, "p|o", "perspective (default) or orthographic",
      set_projection},
-    {"viewall", 0, NONE, RENDER, NULL, "move the camera so that the whole scene is in view",
+    {"viewall", 0, NONE, VIEW, NULL, "move the camera so that the whole scene is in view",
      set_viewall},
-    {"autocenter", 0, NONE, RENDER, NULL, "look at the centre of the scene", set_autocenter},
-    {"fov", 0, REQUIRED, RENDER, "DEGREES", "vertical field of view; default 22.5", set_fov},
-    {"colorscheme", 0, REQUIRED, RENDER, "NAME", "OpenSCAD's colour schemes; default Cornfield",
+    {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", set_autocenter},
+    {"fov", 0, REQUIRED, VIEW, "DEGREES", "vertical field of view; default 22.5", set_fov},
+    {"colorscheme", 0, REQUIRED, VIEW, "NAME", "OpenSCAD's colour schemes; default Cornfield",
      set_colorscheme},
-    {"cut-color", 0, REQUIRED, RENDER, "openscad|minuend",
+    {"cut-color", 0, REQUIRED, VIEW, "openscad|minuend",
      "colour of a cut face: as OpenSCAD's preview (default), or the\n"
      "colour of the solid that was cut",
      set_cut_color},
@@ -311,9 +321,9 @@ const struct csg_option csg_option_table[] = {
      set_skip_unsupported},
     {"openscad", 0, REQUIRED, ALL, "PROGRAM",
      "what flattens .scad files; default $OPENSCAD or openscad", set_openscad},
-    {"backend", 0, REQUIRED, ALL, "NAME",
+    {"backend", 0, REQUIRED, DRAW, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
-    {"variant", 0, REQUIRED, ALL, "NAME", "force one way to resolve the Boolean; default auto;\n"
+    {"variant", 0, REQUIRED, DRAW, "NAME", "force one way to resolve the Boolean; default auto;\n"
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},

@@ -172,9 +172,9 @@ static bool parse_option(struct parser *parser, const char *text)
     return !expected;
 }
 
-static bool parse_input(struct csg_cli_options *options, const char *path)
+static bool parse_input(struct csg_cli_options *options, bool many, const char *path)
 {
-    if (options->input) {
+    if (options->input && !many) {
         csg_cli_error("more than one scene: %s and %s", options->input, path);
         return false;
     }
@@ -182,7 +182,8 @@ static bool parse_input(struct csg_cli_options *options, const char *path)
         csg_cli_error("the name of the scene is empty");
         return false;
     }
-    options->input = path;
+    options->input = options->input ? options->input : path;
+    options->inputs[options->num_inputs++] = path;
     return true;
 }
 
@@ -194,7 +195,8 @@ static bool parse_arguments(struct parser *parser)
         const bool is_option = text[0] == '-' && text[1] && !only_paths;
         if (is_option && !strcmp(text, "--"))
             only_paths = true;
-        else if (!(is_option ? parse_option(parser, text) : parse_input(parser->options, text)))
+        else if (!(is_option ? parse_option(parser, text)
+                             : parse_input(parser->options, parser->command->many, text)))
             return false;
     }
     return true;
@@ -207,7 +209,8 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     *options = (struct csg_cli_options){.facets = "auto"};
     /* One more than can be needed, so that the size is never 0. */
     options->defines = calloc((size_t)num + 1, sizeof *options->defines);
-    if (!options->defines) {
+    options->inputs = calloc((size_t)num + 1, sizeof *options->inputs);
+    if (!options->defines || !options->inputs) {
         csg_cli_error("out of memory");
         return false;
     }
@@ -227,7 +230,9 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
 void csg_options_finish(struct csg_cli_options *options)
 {
     free(options->defines);
+    free(options->inputs);
     options->defines = NULL;
+    options->inputs = NULL;
 }
 
 /* The first line of an option's help, and its width. */

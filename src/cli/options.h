@@ -13,7 +13,9 @@
 #include <stdio.h>
 
 struct csg_cli_options {
-    const char *input;  /* a path, or "-" for standard input */
+    const char *input;  /* a path, or "-" for standard input; of several the first */
+    const char **inputs; /* num_inputs; freed by csg_options_finish */
+    size_t num_inputs;
     const char *output; /* a path, "-" for standard output; NULL: not given */
     struct csgcast_scene_params scene;
     struct csgcast_renderer_params renderer;
@@ -21,7 +23,7 @@ struct csg_cli_options {
     struct csgcast_write_params write;
     const char *camera;   /* the text of --camera, NULL: not given */
     const char *facets;   /* the text of --facets */
-    const char **defines; /* what scene.defines points to; freed by csg_options_finish */
+    const char **defines; /* what scene.defines points to; freed likewise */
     bool quiet, stats, json, no_gl;
     bool help; /* show the help instead */
 };

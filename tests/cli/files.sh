@@ -71,6 +71,22 @@ expect 3 "no extension" render part.csg "${small[@]}" -o x
 expect 3 "depth in a PNG" render part.csg "${small[@]}" -o x.png --aov=Z
 holds_only "${before[@]}"
 
+# Export.
+expect 0 "export" export part.csg
+check "part.pov is a scene" grep -q '^difference {' part.pov
+expect 0 "export to standard output" export part.csg -o -
+prints "camera {"
+expect 3 "export to an image" export part.csg -o x.png
+says "must end with .pov"
+expect 1 "export of nothing" export nothing.csg -o x.pov
+expect 1 "export of a broken scene" export broken.csg -o part.pov
+check "the older export is untouched" grep -q '^difference {' part.pov
+expect 3 "export to nowhere" export part.csg -o nowhere/x.pov
+expect 2 "export over the scene" export part.csg -o part.csg --format=pov
+expect 2 "an option of render" export part.csg --aov=Z
+rm part.pov
+holds_only "${before[@]}"
+
 # An older image survives a failure.
 echo old >x.png
 expect 1 "failure over an older image" render broken.csg -o x.png

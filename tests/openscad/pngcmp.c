@@ -30,6 +30,16 @@ struct comparison {
     size_t num_foreground; /* pixels of theirs that are not background */
 };
 
+/* The next number of a PPM's head, behind blanks and comments. */
+static bool read_number(FILE *file, int *number)
+{
+    int c;
+    while ((c = fgetc(file)) == '#' || c == ' ' || c == '\n')
+        while (c == '#' && (c = fgetc(file)) != '\n' && c != EOF)
+            c = '#';
+    return ungetc(c, file) != EOF && fscanf(file, "%d", number) == 1;
+}
+
 static bool read_picture(const char *path, struct picture *picture)
 {
     int max = 0;
@@ -38,8 +48,8 @@ static bool read_picture(const char *path, struct picture *picture)
         fprintf(stderr, "pngcmp: cannot read %s\n", path);
         return false;
     }
-    bool ok = fscanf(file, "P6 %d %d %d", &picture->width, &picture->height, &max) == 3 &&
-              max == 255 && fgetc(file) != EOF && picture->width > 0 && picture->height > 0 &&
+    bool ok = fgetc(file) == 'P' && fgetc(file) == '6' && read_number(file, &picture->width) &&
+              read_number(file, &picture->height) && read_number(file, &max) && max == 255 && fgetc(file) != EOF && picture->width > 0 && picture->height > 0 &&
               picture->width <= max_size && picture->height <= max_size;
     if (ok) {
         const size_t size = 3 * (size_t)picture->width * (size_t)picture->height;

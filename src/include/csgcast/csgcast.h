@@ -366,6 +366,26 @@ CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
  */
 CSGCAST_API void csgcast_image_preload(void);
 
+/* ---- export ------------------------------------------------------------------------------- */
+
+/*
+ * Writes the scene for another program, which then draws the same solids from the same camera in
+ * the same colours. view: NULL for the default; its variant is not looked at, and of its size only
+ * the ratio. format: a name of csgcast_export_format_name. NULL: the path's extension. path and
+ * failures as with csgcast_image_write; messages go to the scene's log.
+ *
+ * "pov" is POV-Ray 3.7: its own spheres, boxes, cylinders, cones, quadrics and planes under its own
+ * Booleans, exact as here, without shadows and reflections. POV-Ray does not know coincident faces:
+ * where a subtracted solid's face lies in another's, it is moved by a millionth of the scene; of
+ * other coincident faces rounding decides which one shows. Polyhedra of more than 64 faces become
+ * meshes, whose points POV-Ray keeps in single precision.
+ */
+CSGCAST_API bool csgcast_export(const char *path, const struct csgcast_scene *scene,
+                                const struct csgcast_view *view, const char *format);
+
+/* The names of the formats; NULL past the last. */
+CSGCAST_API const char *csgcast_export_format_name(size_t index);
+
 #ifdef __cplusplus
 }
 #endif
