@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 /* Each # adds its subtree to the highlight layer once more. Nested in differences they could make
- * it quadratic in the size of the text; beyond this many times the text's nodes they are left out.
+ * it quadratic in the size of the scene; beyond this many times its nodes they are left out.
  */
 enum { max_highlight_growth = 16 };
 
@@ -149,7 +149,7 @@ static const struct layer_rule layer_rules[CSG_NUM_LAYERS] = {
 
 static bool is_too_large(const struct tree_builder *build, const struct csg_parsed_node *node)
 {
-    const size_t num_nodes = build->builder->document->nodes.num;
+    const size_t num_nodes = build->builder->document->nodes.num + build->builder->parts.num;
     if (build->tree->num / max_highlight_growth <= num_nodes)
         return false;
     csg_report_warning(build->builder->report, CSGCAST_MESSAGE_SCENE, node->place,
@@ -167,7 +167,7 @@ static bool add_roots(struct tree_builder *build, const struct layer_rule *rule)
     for (uint32_t i = builder->begin; done && !is_full && i < builder->end;) {
         const bool is_off = (nodes[i].modifiers & CSG_MODIFIER_DISABLE) != 0;
         if (!is_off && rule->is_root(builder, i)) {
-            is_full = is_too_large(build, &nodes[i]);
+            is_full = rule->nested && is_too_large(build, &nodes[i]);
             done = is_full || add_subtree(build, i);
         }
         const bool descend = rule->nested && !is_off && csg_has_children(&builder->meanings[i]);

@@ -2,9 +2,14 @@
 /*
  * linear_extrude(height, v, center, twist, scale, ...) as OpenSCAD 2021.01 and 2025 write it.
  */
+#include <limits.h>
+
 #include "plane/extrude.h"
+#include "plane/outline.h"
+#include "plane/twist.h"
 #include "scene/compounds.h"
 #include "scene/drawings.h"
+#include "scene/polyhedron.h"
 
 /* What OpenSCAD takes where height is missing. */
 #define DEFAULT_HEIGHT 100.0
@@ -14,6 +19,8 @@ struct extrusion {
     double v[3];             /* from the bottom to the top */
     double scale[2];         /* of the top */
     double twist;
+    int slices; /* 0: not given */
+    struct csg_facets facets;
     bool center;
     bool has_file;
 };
@@ -59,25 +66,14 @@ static void read_extrusion(const struct csg_args *args, struct extrusion *to)
     const struct csg_value *file = csg_args_find(args, "file");
     read_height(args, to);
     read_scale(args, to);
+    const double slices = csg_args_number(args, "slices", 0, NULL);
     to->twist = csg_args_number(args, "twist", 0, NULL);
+    if (!isfinite(to->twist))
+        to->twist = 0;
+    to->slices = slices >= 1 && slices < INT_MAX ? (int)slices : 0;
+    to->facets = csg_args_facets(args);
     to->center = csg_args_bool(args, "center", false);
     to->has_file = file && file->type == CSG_VALUE_STRING && file->num > 0;
-}
-
-/* true: a message was given. */
-static bool is_unsupported(struct csg_walk *walk, uint32_t node, const struct extrusion *extrusion)
-{
-    const bool twisted = extrusion->twist != 0 && isfinite(extrusion->twist);
-    const bool uneven = extrusion->scale[0] != extrusion->scale[1];
-    if (twisted)
-        csg_walk_unsupported(walk, node, "linear_extrude with twist is not supported yet");
-    else if (uneven)
-        csg_walk_unsupported(walk, node,
-                             "linear_extrude with different scales along x and y is "
-                             "not supported yet");
-    else if (extrusion->has_file)
-        csg_walk_unsupported(walk, node, "linear_extrude of a file is not supported yet");
-    return twisted || uneven || extrusion->has_file;
 }
 
 /* The extrusion leans when v does: z stays, x and y move along. */
@@ -92,25 +88,63 @@ static bool lean(struct csg_part *part, const struct extrusion *extrusion)
     return ok;
 }
 
+/* What stays exact: the section is only scaled, the same along x and y. */
+static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion,
+                    const struct csg_drawing *drawing, const double z[2], struct csg_part *part)
+{
+    const struct csg_lift lift = {.z0 = z[0], .s0 = 1, .z1 = z[1], .s1 = extrusion->scale[0]};
+    bool too_large = false;
+    if (csg_extrude(part, drawing, &lift, &too_large))
+        return true;
+    part->is_too_large |= too_large;
+    return too_large || csg_log_memory(&walk->builder->report->log);
+}
+
+/* OpenSCAD's mesh, also of circles. */
+static bool twist(struct csg_walk *walk, uint32_t node, const struct extrusion *extrusion,
+                  struct csg_drawing *drawing, const double z[2], struct csg_part *part)
+{
+    const struct csg_twist twist = {.z0 = z[0],
+                                    .z1 = z[1],
+                                    .degrees = extrusion->twist,
+                                    .scale = {extrusion->scale[0], extrusion->scale[1]},
+                                    .slices = extrusion->slices,
+                                    .facets = extrusion->facets};
+    struct csg_mesh mesh = {0};
+    const uint32_t num = (uint32_t)drawing->nodes.num;
+    const bool facetted = extrusion->twist != 0 || csg_drawing_is_facetted(drawing, 0, num);
+    mesh.rounding = csg_drawing_rounding(drawing, 0, num) *
+                    fmax(1, fmax(extrusion->scale[0], extrusion->scale[1]));
+    enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
+    if (result == CSG_SWEEP_DONE)
+        result = csg_twist_fill(&mesh, drawing, &twist);
+    part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
+    const bool ok = result == CSG_SWEEP_DONE ? csg_polyhedron_add(walk, node, &mesh, part)
+                                             : result == CSG_SWEEP_TOO_LARGE ||
+                                                   csg_log_memory(&walk->builder->report->log);
+    for (size_t i = 0; i < part->shapes.num; i++)
+        part->shapes.data[i].facetted |= facetted;
+    csg_mesh_finish(&mesh);
+    return ok;
+}
+
 bool csg_compound_linear_extrude(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                                  bool in_boolean, struct csg_part *part)
 {
     struct extrusion extrusion = {0};
     struct csg_drawing drawing = {0};
-    bool too_large = false;
     read_extrusion(args, &extrusion);
     const double top = extrusion.v[2];
-    if (!isfinite(extrusion.v[0] + extrusion.v[1] + top) || !(top > 0) ||
-        is_unsupported(walk, node, &extrusion))
+    const double z[2] = {extrusion.center ? -top / 2 : 0, extrusion.center ? top / 2 : top};
+    if (!isfinite(extrusion.v[0] + extrusion.v[1] + top) || !(top > 0))
         return true;
-    bool ok = csg_drawing_read(walk, node, in_boolean, &drawing);
-    const struct csg_lift lift = {.z0 = extrusion.center ? -top / 2 : 0,
-                                  .s0 = 1,
-                                  .z1 = extrusion.center ? top / 2 : top,
-                                  .s1 = extrusion.scale[0]};
-    if (ok && !csg_extrude(part, &drawing, &lift, &too_large))
-        ok = too_large || csg_log_memory(&walk->builder->report->log);
-    part->is_too_large |= too_large;
+    if (extrusion.has_file)
+        return csg_walk_unsupported(walk, node, "linear_extrude of a file is not supported yet"),
+               true;
+    const bool is_even = extrusion.twist == 0 && extrusion.scale[0] == extrusion.scale[1];
+    const bool ok = csg_drawing_read(walk, node, in_boolean, &drawing) &&
+                    (is_even ? extrude(walk, &extrusion, &drawing, z, part)
+                             : twist(walk, node, &extrusion, &drawing, z, part));
     for (size_t i = 0; i < part->shapes.num; i++)
         part->shapes.data[i].rounding += extrusion.rounding;
     lean(part, &extrusion);

@@ -12,6 +12,7 @@
 #include "plane/offset.h"
 #include "plane/outline.h"
 #include "plane/piece.h"
+#include "plane/triangulate.h"
 
 static unsigned long long state = 42;
 
@@ -129,6 +130,29 @@ static void add_random(struct csg_drawing *drawing, int depth, bool on_grid)
     csg_drawing_close(drawing, node);
 }
 
+/* Together they are as large as the outline; none looks down, unless the outline touches itself. */
+static void check_triangles(const struct csg_drawing *drawing, double area, int seed)
+{
+    struct csg_triangles triangles = {0};
+    const struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[0].figure];
+    double sum = 0, least = 0;
+    if (drawing->points.num > 4000)
+        return;
+    CHECK(csg_figure_triangulate(drawing, figure, &triangles), "seed %d", seed);
+    for (size_t i = 0; i < triangles.corners.num; i += 3) {
+        const struct csg_vec2 a = drawing->points.data[triangles.corners.data[i]];
+        const struct csg_vec2 b = drawing->points.data[triangles.corners.data[i + 1]];
+        const struct csg_vec2 c = drawing->points.data[triangles.corners.data[i + 2]];
+        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        sum += 0.5 * twice;
+        least = fmin(least, twice);
+    }
+    const bool on_grid = seed % 2 == 0;
+    CHECK((least > -1e-9 || on_grid) && fabs(sum - area) < 1e-9,
+          "seed %d: triangles of %g, outline %g; %g", seed, sum, area, least);
+    free(triangles.corners.data);
+}
+
 /* Every point off the edges is in exactly one piece, or in none. */
 static void check_drawing(struct csg_drawing *drawing, int seed)
 {
@@ -156,6 +180,7 @@ static void check_drawing(struct csg_drawing *drawing, int seed)
     const double area = outline_area(drawing), sampled = 22.0 * 22.0 * num_inside / num;
     CHECK(fabs(area - sampled) < 0.1 * 22 * 22, "seed %d: area %g, sampled %g", seed, area,
           sampled);
+    check_triangles(drawing, area, seed);
 }
 
 static void test_random(void)
