@@ -6,11 +6,13 @@
 #include "json.h"
 #include "messages.h"
 #include "options.h"
+#include "stats.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #define FRAME_SIZE 64 /* pixels: enough to choose the variants and to fill the texture */
+#define STATS_FRAME_SIZE 512 /* where its cost is asked for as well */
 
 /* Everything there is to tell about one scene. */
 struct report {
@@ -59,7 +61,7 @@ static size_t get_count(const struct report *report, const struct count_row *row
 
 /* ---- for people ----------------------------------------------------------------------------- */
 
-static void print_text(const struct report *report)
+static void print_text(const struct report *report, bool stats)
 {
     printf("kinds              ");
     for (size_t i = 0; i < report->scene.num_kinds; i++)
@@ -73,7 +75,9 @@ static void print_text(const struct report *report)
                report->lo[2], report->hi[0], report->hi[1], report->hi[2]);
     else
         printf("bounds             empty\n");
-    if (report->has_frame)
+    if (report->has_frame && stats)
+        csg_cli_print_stats(stdout, report->renderer, &report->frame);
+    else if (report->has_frame)
         printf("renderer           %s\nvariants           %s\nprograms           %zu\n"
                "texture bytes      %zu\n",
                report->renderer, report->frame.variants, report->frame.programs,
@@ -82,7 +86,19 @@ static void print_text(const struct report *report)
 
 /* ---- for machines --------------------------------------------------------------------------- */
 
-static void print_json(const struct report *report, const char *input)
+static void print_frame_json(struct csg_json *json, const struct report *report, bool stats)
+{
+    csg_json_string(json, "renderer", report->renderer);
+    csg_json_string(json, "variants", report->frame.variants);
+    if (stats) {
+        csg_cli_print_stats_json(json, &report->frame);
+        return;
+    }
+    csg_json_size(json, "programs", report->frame.programs);
+    csg_json_size(json, "texture_bytes", report->frame.texture_bytes);
+}
+
+static void print_json(const struct report *report, const char *input, bool stats)
 {
     struct csg_json json = {.file = stdout};
     csg_json_open(&json, NULL);
@@ -98,12 +114,8 @@ static void print_json(const struct report *report, const char *input)
         csg_json_vector(&json, "lo", report->lo);
         csg_json_vector(&json, "hi", report->hi);
     }
-    if (report->has_frame) {
-        csg_json_string(&json, "renderer", report->renderer);
-        csg_json_string(&json, "variants", report->frame.variants);
-        csg_json_size(&json, "programs", report->frame.programs);
-        csg_json_size(&json, "texture_bytes", report->frame.texture_bytes);
-    }
+    if (report->has_frame)
+        print_frame_json(&json, report, stats);
     csg_json_close(&json);
 }
 
@@ -114,9 +126,15 @@ static bool render_frame(const struct csg_cli_options *options, const struct csg
                          struct report *report)
 {
     struct csgcast_view view = options->view;
-    float rgba[FRAME_SIZE * FRAME_SIZE * 4];
-    const struct csgcast_image image = {.rgba = rgba};
-    view.width = view.height = FRAME_SIZE;
+    const int size = options->stats ? STATS_FRAME_SIZE : FRAME_SIZE;
+    const size_t num = (size_t)size * (size_t)size;
+    float *rgba = malloc(5 * num * sizeof *rgba);
+    const struct csgcast_image image = {.rgba = rgba, .z = rgba + 4 * num};
+    view.width = view.height = size;
+    if (!rgba) {
+        csg_cli_error("out of memory");
+        return false;
+    }
     struct csgcast_renderer *renderer = csgcast_renderer_create(&options->renderer);
     report->has_frame = renderer && csgcast_render(renderer, scene, &view, &image);
     if (report->has_frame) {
@@ -124,6 +142,7 @@ static bool render_frame(const struct csg_cli_options *options, const struct csg
         snprintf(report->renderer, sizeof report->renderer, "%s", csgcast_renderer_name(renderer));
     }
     csgcast_renderer_destroy(renderer);
+    free(rgba);
     return report->has_frame;
 }
 
@@ -139,9 +158,9 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
     if (!options->no_gl && !render_frame(options, scene, &report))
         result = CSG_EXIT_FAILED;
     if (options->json)
-        print_json(&report, options->input);
+        print_json(&report, options->input, options->stats);
     else
-        print_text(&report);
+        print_text(&report, options->stats);
     csgcast_scene_destroy(scene);
     if (fflush(stdout) || ferror(stdout)) {
         csg_cli_error("cannot write to standard output");

@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "options.h"
 #include "output.h"
+#include "stats.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -102,29 +103,6 @@ static bool write_image(const char *path, const struct csg_cli_options *options,
 
 /* ---- the command ---------------------------------------------------------------------------- */
 
-static void print_stats(const struct csgcast_renderer *renderer)
-{
-    struct csgcast_stats stats;
-    csgcast_renderer_get_stats(renderer, &stats);
-    fprintf(stderr,
-            "renderer        %s\n"
-            "variants        %s\n"
-            "texture bytes   %zu\n"
-            "bytes uploaded  %zu\n"
-            "programs        %zu\n"
-            "compile ms      %.3f\n"
-            "cpu ms          %.3f\n"
-            "frame ms        %.3f\n"
-            "objects drawn   %zu\n"
-            "proxy pixels    %zu\n"
-            "hit pixels      %zu\n"
-            "cast on the CPU %zu\n",
-            csgcast_renderer_name(renderer), stats.variants, stats.texture_bytes,
-            stats.bytes_uploaded, stats.programs, stats.compile_ms, stats.cpu_ms, stats.frame_ms,
-            stats.objects_drawn, stats.proxy_pixels, stats.hit_pixels,
-            stats.unfinished_pixels);
-}
-
 static bool render_image(const struct csg_cli_options *options, const struct csgcast_scene *scene,
                          const struct csgcast_view *view, const struct csgcast_image *image)
 {
@@ -132,8 +110,11 @@ static bool render_image(const struct csg_cli_options *options, const struct csg
     if (!renderer)
         return false;
     const bool good = csgcast_render(renderer, scene, view, image);
-    if (good && options->stats)
-        print_stats(renderer);
+    if (good && options->stats) {
+        struct csgcast_stats stats;
+        csgcast_renderer_get_stats(renderer, &stats);
+        csg_cli_print_stats(stderr, csgcast_renderer_name(renderer), &stats);
+    }
     csgcast_renderer_destroy(renderer);
     return good;
 }

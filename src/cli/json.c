@@ -74,3 +74,12 @@ void csg_json_vector(struct csg_json *json, const char *key, const double value[
     }
     fputc(']', json->file);
 }
+
+void csg_json_number(struct csg_json *json, const char *key, double value)
+{
+    begin_member(json, key);
+    if (isfinite(value))
+        fprintf(json->file, "%.17g", value);
+    else
+        fputs("null", json->file);
+}

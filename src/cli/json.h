@@ -21,6 +21,9 @@ void csg_json_close(struct csg_json *json);
 void csg_json_string(struct csg_json *json, const char *key, const char *value);
 void csg_json_size(struct csg_json *json, const char *key, size_t value);
 
+/* One that is not finite, which JSON lacks, becomes null. */
+void csg_json_number(struct csg_json *json, const char *key, double value);
+
 /* Three numbers; an infinite one, which JSON lacks, becomes null. */
 void csg_json_vector(struct csg_json *json, const char *key, const double value[3]);
 

@@ -327,7 +327,10 @@ const struct csg_option csg_option_table[] = {
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},
-    {"stats", 0, NONE, RENDER, NULL, "print what the frame cost on standard error", set_stats},
+    {"stats", 0, NONE, ALL, NULL,
+     "print what the frame cost: on standard error, info in its report,\n"
+     "and then of a frame of 512 by 512 pixels",
+     set_stats},
     {"json", 0, NONE, INFO, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},

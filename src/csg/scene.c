@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/clock.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/program.h"
@@ -182,7 +183,10 @@ static bool finish(struct csgcast_scene *scene)
 
 bool csg_scene_finish(struct csgcast_scene *scene)
 {
-    return finish(scene) || csg_log_memory(&scene->log);
+    const double start = csg_clock_ms();
+    const bool ok = finish(scene) || csg_log_memory(&scene->log);
+    scene->csg_ms = csg_clock_ms() - start;
+    return ok;
 }
 
 void csgcast_scene_get_info(const struct csgcast_scene *scene, struct csgcast_scene_info *info)

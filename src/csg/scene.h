@@ -37,6 +37,7 @@ struct csgcast_scene {
     struct csg_edits *edits;   /* scene/: NULL until the first edit */
     bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
     uint64_t revision;     /* grows with each edit */
+    double load_ms, csg_ms; /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves; /* in file order: the public leaf index */
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];

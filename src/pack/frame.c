@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/clock.h"
 #include "csg/membership.h"
 #include "pack/terms.h"
 #include "tile/tile.h"
@@ -102,6 +103,14 @@ void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
     }
 }
 
+void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_t num_leaves)
+{
+    const size_t pixels =
+        (size_t)(ceil(rect->hi[0] - rect->lo[0]) * ceil(rect->hi[1] - rect->lo[1]));
+    frame->proxy_pixels += pixels;
+    frame->solid_tests += pixels * num_leaves;
+}
+
 /* The object in one rectangle, all records as planned. */
 static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct csg_draw *draw)
 {
@@ -113,8 +122,7 @@ static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct
         if (!csg_terms_add_record(&packer->terms, &plan->program.data[i], NULL))
             return false;
     draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
-    frame->proxy_pixels +=
-        (size_t)(ceil(rect->hi[0] - rect->lo[0]) * ceil(rect->hi[1] - rect->lo[1]));
+    csg_frame_count(frame, rect, packer->terms.leaves.num);
     return csg_array_push(&frame->draws, *draw);
 }
 
@@ -138,7 +146,10 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
                                      packer->params->whole(index, packer->params->user)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
-    return csg_tile_object(&packer->terms, object, &rect, &draw);
+    const double start = csg_clock_ms();
+    const bool ok = csg_tile_object(&packer->terms, object, &rect, &draw);
+    packer->frame->tile_ms += csg_clock_ms() - start;
+    return ok;
 }
 
 /* Objects are independent only as seen from outside: an eye inside one of them looks for the end of
@@ -206,7 +217,9 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     }
     frame->texels.num = 0;
     frame->draws.num = 0;
-    frame->proxy_pixels = 0;
+    frame->proxy_pixels = frame->solid_tests = 0;
+    frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
+    frame->tile_ms = 0;
     bool ok = csg_terms_init(&packer.terms, frame, scene, params);
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);

@@ -36,6 +36,9 @@ struct csg_frame {
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
     size_t proxy_pixels;
+    size_t solid_tests;  /* see csgcast_stats */
+    size_t tiles_empty, tiles_opaque, tiles_mixed;
+    double tile_ms;
 };
 
 struct csg_frame_params {
@@ -56,6 +59,9 @@ struct csg_frame_params {
 /* Puts a rectangle in pixels into the draw's instance, in clip space. */
 void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
                        const struct csg_rect *rect);
+
+/* Counts the pixels of a rectangle in which a draw's program has this many solids. */
+void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_t num_leaves);
 
 /* Refills frame (zeroed before the first use). false: out of memory. */
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,

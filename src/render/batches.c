@@ -227,6 +227,9 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
         GLuint rear = 0;
         const GLuint program = choose_program(chooser, draw, &resolver);
         ok = program != 0 && choose_rear(chooser, draw, &rear);
+        renderer->stats.overflowed_objects +=
+            request->resolver == CSG_RESOLVER_ALGORITHM4 && resolver == CSG_RESOLVER_LOOP &&
+            (i == 0 || draw[-1].object != draw->object);
         batches->may_give_up |=
             resolver != CSG_RESOLVER_STRAIGHT && may_give_up(&renderer->frame, draw);
         if (ok && !add_draw(batches, draw, program, rear, resolver, i))

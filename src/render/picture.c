@@ -402,15 +402,41 @@ static bool draw_bands(struct picture *picture)
     for (int row = 0; row < request->height && ok; row += rows) {
         picture->first_row = row;
         picture->num_rows = rows < request->height - row ? rows : request->height - row;
+        struct csgcast_stats *stats = &picture->renderer->stats;
+        const double start = csg_clock_ms();
         draw_band(picture);
+        picture->gl->Finish(); /* reading waits for it anyway */
+        const double drawn = csg_clock_ms();
         read_band(picture, pixels);
         if (picture->visible)
             ok = csg_unfinished_fill(picture->renderer, request, picture->visible, row,
                                      picture->num_rows);
+        stats->draw_ms += drawn - start;
+        stats->read_ms += csg_clock_ms() - drawn;
     }
     free(picture->visible);
     free(pixels);
     return ok;
+}
+
+static bool upload(struct csgcast_renderer *renderer)
+{
+    const double start = csg_clock_ms();
+    const bool ok = upload_data(renderer) && upload_instances(renderer);
+    renderer->stats.upload_ms = csg_clock_ms() - start;
+    return ok;
+}
+
+static void copy_counts(const struct csg_frame *frame, struct csgcast_stats *stats)
+{
+    stats->objects_drawn = frame->draws.num;
+    stats->proxy_pixels = frame->proxy_pixels;
+    stats->solid_tests = frame->solid_tests;
+    stats->tiles_empty = frame->tiles_empty;
+    stats->tiles_opaque = frame->tiles_opaque;
+    stats->tiles_mixed = frame->tiles_mixed;
+    stats->tile_ms = frame->tile_ms;
+    stats->pack_ms = stats->cpu_ms - frame->tile_ms;
 }
 
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
@@ -429,10 +455,9 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     picture.want_leaf = request->image->id != NULL;
     picture.shade = csg_programs_get(&renderer->programs, csg_source_shade(picture.want_leaf, request->textbook));
     const bool ok = picture.shade && csg_batches_fill(&picture.batches, renderer, request) &&
-                    upload_data(renderer) && upload_instances(renderer) && draw_bands(&picture);
+                    upload(renderer) && draw_bands(&picture);
     struct csgcast_stats *stats = &renderer->stats;
-    stats->objects_drawn = renderer->frame.draws.num;
-    stats->proxy_pixels = renderer->frame.proxy_pixels;
+    copy_counts(&renderer->frame, stats);
     size_t used = 0, num = 0;
     if (request->textbook)
         used = (size_t)snprintf(stats->variants, sizeof stats->variants, CSG_TEXTBOOK_NAME ": ");

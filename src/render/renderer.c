@@ -133,7 +133,7 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
                                   .image = image};
     if (!resolve_request(renderer, &request))
         return false;
-    renderer->stats = (struct csgcast_stats){0};
+    renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
     const struct csg_reference_params params = {
         &request.frustum, request.width, request.height, request.scheme, request.view->cut_color};
     const bool ok = renderer->gl ? render_with_gl(renderer, &request)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/clock.h"
 #include "scene/build.h"
 #include "scene/edits.h"
 #include "scene/openscad.h"
@@ -164,7 +165,12 @@ static char *directory_of(const char *path)
 static struct csgcast_scene *load(const char *path, const struct csgcast_scene_params *params,
                                   const struct csg_log *log)
 {
-    return ends_with(path, ".scad") ? load_scad(path, params, log) : load_csg(path, params, log);
+    const double start = csg_clock_ms();
+    struct csgcast_scene *scene =
+        ends_with(path, ".scad") ? load_scad(path, params, log) : load_csg(path, params, log);
+    if (scene)
+        scene->load_ms = csg_clock_ms() - start - scene->csg_ms;
+    return scene;
 }
 
 struct csgcast_scene *csgcast_scene_load(const char *path,

@@ -29,6 +29,7 @@ struct tiler {
     CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
     CSG_ARRAY(double) candidates;
     struct csg_program program;
+    bool opaque; /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
 static struct csg_tile_box tile_box(const struct tiler *tiler, const struct task *task)
@@ -136,6 +137,7 @@ static int compare_keys(const void *a, const void *b)
 static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
 {
     const double far = tiler->terms->frame->screen.k_far;
+    tiler->opaque = false;
     tiler->candidates.num = tiler->values.num = 0;
     if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, tree->num) ||
         !csg_array_reserve(&tiler->values, tree->num))
@@ -152,8 +154,10 @@ static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
     if (tiler->candidates.num > 1)
         qsort(keys, tiler->candidates.num, sizeof *keys, compare_keys);
     for (size_t i = 0; i < tiler->candidates.num && i < MAX_CANDIDATES && keys[i] < far; i++)
-        if (has_begun(tiler, tree, keys[i]))
+        if (has_begun(tiler, tree, keys[i])) {
+            tiler->opaque = true;
             return keys[i];
+        }
     return far;
 }
 
@@ -248,7 +252,8 @@ static bool emit(struct tiler *tiler, const struct task *task)
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
     csg_draw_set_rect(&draw, &frame->screen, &rect);
-    frame->proxy_pixels += (size_t)(task->hi[0] - task->lo[0]) * (size_t)(task->hi[1] - task->lo[1]);
+    csg_frame_count(frame, &rect, count_leaves(&task->tree));
+    *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
     return draw.instance.records[0] == draw.instance.records[1] ||
            csg_array_push(&frame->draws, draw);
 }
@@ -261,8 +266,10 @@ static bool run(struct tiler *tiler, struct task *task)
     judge_leaves(tiler, &task->tree);
     if (!csg_tree_simplify(&task->tree, tiler->terms->known))
         return false;
-    if (task->tree.num == 0)
+    if (task->tree.num == 0) {
+        tiler->terms->frame->tiles_empty++;
         return true;
+    }
     const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
                           task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
     if (smallest || count_leaves(&task->tree) <= SMALL_LEAVES)

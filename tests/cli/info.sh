@@ -33,6 +33,19 @@ if command -v node >/dev/null; then
     report $? "strings are escaped"
 fi
 
+expect 0 "what a frame costs" info part.csg --stats
+prints "draw ms"
+prints "tests a pixel      3.000"
+prints "tiles, mixed       0"
+if command -v node >/dev/null; then
+    "$csgcast" info part.csg --stats --json >out 2>err
+    node -e '
+        const report = JSON.parse(require("fs").readFileSync("out", "utf8"));
+        process.exit(report.tests_per_pixel === 3 && report.hit_pixels > 1000 && report.draw_ms > 0 &&
+                     report.overflowed_objects === 0 ? 0 : 1);'
+    report $? "the cost as JSON"
+fi
+
 expect 1 "no such scene" info nothing.csg
 expect 2 "render's options are not info's" info part.csg -o x.png
 says "has no option"

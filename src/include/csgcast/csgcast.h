@@ -325,6 +325,19 @@ struct csgcast_stats {
     size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
     size_t hit_pixels;       /* pixels that show a solid, where z or id was asked for */
     size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
+    size_t overflowed_objects; /* too large for the variant that was forced: the loop drew them */
+    /* Solids in the programs of the rectangles that were drawn, times their pixels; divided by
+     * proxy_pixels: tests per pixel. */
+    size_t solid_tests;
+    /* Large objects are drawn in tiles: those in which nothing is left, those in which some solid
+     * fills the tile and hides the rest, and the others. */
+    size_t tiles_empty, tiles_opaque, tiles_mixed;
+    /* Time per stage in ms. The scene's: reading it, openscad included, and preparing it (trees,
+     * coincident faces), by the load or the last edit. The frame's: tile_ms and pack_ms make up
+     * cpu_ms; draw_ms ends when the driver has drawn, read_ms when the caller's buffers are
+     * filled. All but the scene's are 0 for the reference backend. */
+    double load_ms, csg_ms;
+    double tile_ms, pack_ms, upload_ms, draw_ms, read_ms;
 };
 
 CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+#include "stats.h"
+
+/* The numbers of struct csgcast_stats, in the order in which they are printed. */
+struct row {
+    const char *key, *label;
+    size_t offset;
+    bool is_time; /* a double, in ms; else a size_t */
+};
+
+#define SIZE(key, label) {#key, label, offsetof(struct csgcast_stats, key), false}
+#define TIME(key, label) {#key, label, offsetof(struct csgcast_stats, key), true}
+
+static const struct row rows[] = {
+    SIZE(texture_bytes, "texture bytes"),
+    SIZE(bytes_uploaded, "bytes uploaded"),
+    SIZE(programs, "programs"),
+    TIME(compile_ms, "compile ms"),
+    TIME(load_ms, "load ms"),
+    TIME(csg_ms, "csg ms"),
+    TIME(tile_ms, "tile ms"),
+    TIME(pack_ms, "pack ms"),
+    TIME(cpu_ms, "cpu ms"),
+    TIME(upload_ms, "upload ms"),
+    TIME(draw_ms, "draw ms"),
+    TIME(read_ms, "read ms"),
+    TIME(frame_ms, "frame ms"),
+    SIZE(objects_drawn, "objects drawn"),
+    SIZE(tiles_empty, "tiles, empty"),
+    SIZE(tiles_opaque, "tiles, opaque"),
+    SIZE(tiles_mixed, "tiles, mixed"),
+    SIZE(proxy_pixels, "proxy pixels"),
+    SIZE(hit_pixels, "hit pixels"),
+    SIZE(solid_tests, "solid tests"),
+    SIZE(overflowed_objects, "overflowed"),
+    SIZE(unfinished_pixels, "cast on the CPU"),
+};
+
+#define NUM_ROWS (sizeof rows / sizeof *rows)
+
+static const void *value_of(const struct csgcast_stats *stats, const struct row *row)
+{
+    return (const char *)stats + row->offset;
+}
+
+static double tests_per_pixel(const struct csgcast_stats *stats)
+{
+    return stats->proxy_pixels ? (double)stats->solid_tests / (double)stats->proxy_pixels : 0;
+}
+
+void csg_cli_print_stats(FILE *file, const char *renderer, const struct csgcast_stats *stats)
+{
+    fprintf(file, "%-18s %s\n%-18s %s\n", "renderer", renderer, "variants", stats->variants);
+    for (size_t i = 0; i < NUM_ROWS; i++) {
+        const void *value = value_of(stats, &rows[i]);
+        if (rows[i].is_time)
+            fprintf(file, "%-18s %.3f\n", rows[i].label, *(const double *)value);
+        else
+            fprintf(file, "%-18s %zu\n", rows[i].label, *(const size_t *)value);
+    }
+    fprintf(file, "%-18s %.3f\n", "tests a pixel", tests_per_pixel(stats));
+}
+
+void csg_cli_print_stats_json(struct csg_json *json, const struct csgcast_stats *stats)
+{
+    for (size_t i = 0; i < NUM_ROWS; i++) {
+        const void *value = value_of(stats, &rows[i]);
+        if (rows[i].is_time)
+            csg_json_number(json, rows[i].key, *(const double *)value);
+        else
+            csg_json_size(json, rows[i].key, *(const size_t *)value);
+    }
+    csg_json_number(json, "tests_per_pixel", tests_per_pixel(stats));
+}
