@@ -12,6 +12,7 @@ enum csg_cli_exit {
     CSG_EXIT_FAILED = 1, /* the scene cannot be read or rendered */
     CSG_EXIT_USAGE = 2,  /* the command line makes no sense */
     CSG_EXIT_OUTPUT = 3, /* the result cannot be written */
+    CSG_EXIT_BEYOND = 1, /* compare: a threshold does not hold; every failure is 2 there */
 };
 
 /* Bits that say which commands take an option. */
@@ -20,6 +21,8 @@ enum csg_cli_command_bit {
     CSG_COMMAND_INFO = 2,
     CSG_COMMAND_EXPORT = 4,
     CSG_COMMAND_BENCH = 8,
+    CSG_COMMAND_COMPARE = 16,
+    CSG_COMMAND_REPORT = 32,
 };
 
 struct csg_cli_command {
@@ -30,11 +33,13 @@ struct csg_cli_command {
     const char *text;    /* help between usage and options */
     const char *tail;    /* help after the options: examples */
     bool many; /* takes more than one scene */
+    const char *exits;   /* the exit codes in the help; NULL: those of enum csg_cli_exit */
     enum csg_cli_exit (*run)(const struct csg_cli_options *options);
 };
 
 extern const struct csg_cli_command csg_command_render;
 extern const struct csg_cli_command csg_command_info;
 extern const struct csg_cli_command csg_command_export;
+extern const struct csg_cli_command csg_command_compare;
 
 #endif

@@ -33,21 +33,41 @@ static void begin_member(struct csg_json *json, const char *key)
     }
 }
 
-void csg_json_open(struct csg_json *json, const char *key)
+static void open_with(struct csg_json *json, const char *key, char bracket)
 {
     begin_member(json, key);
-    fputc('{', json->file);
+    fputc(bracket, json->file);
     json->depth++;
     json->first = true;
 }
 
-void csg_json_close(struct csg_json *json)
+static void close_with(struct csg_json *json, char bracket)
 {
     json->depth--;
     if (!json->first)
         fprintf(json->file, "\n%*s", 2 * json->depth, "");
-    fputs(json->depth ? "}" : "}\n", json->file);
+    fprintf(json->file, "%c%s", bracket, json->depth ? "" : "\n");
     json->first = false;
+}
+
+void csg_json_open(struct csg_json *json, const char *key)
+{
+    open_with(json, key, '{');
+}
+
+void csg_json_close(struct csg_json *json)
+{
+    close_with(json, '}');
+}
+
+void csg_json_list_open(struct csg_json *json, const char *key)
+{
+    open_with(json, key, '[');
+}
+
+void csg_json_list_close(struct csg_json *json)
+{
+    close_with(json, ']');
 }
 
 void csg_json_string(struct csg_json *json, const char *key, const char *value)
@@ -62,24 +82,32 @@ void csg_json_size(struct csg_json *json, const char *key, size_t value)
     fprintf(json->file, "%zu", value);
 }
 
-void csg_json_vector(struct csg_json *json, const char *key, const double value[3])
+void csg_json_bool(struct csg_json *json, const char *key, bool value)
 {
     begin_member(json, key);
-    for (int i = 0; i < 3; i++) {
-        fputs(i ? ", " : "[", json->file);
-        if (isfinite(value[i]))
-            fprintf(json->file, "%.17g", value[i]);
-        else
-            fputs("null", json->file);
-    }
-    fputc(']', json->file);
+    fputs(value ? "true" : "false", json->file);
+}
+
+static void print_number(FILE *file, double value)
+{
+    if (isfinite(value))
+        fprintf(file, "%.17g", value);
+    else
+        fputs("null", file);
 }
 
 void csg_json_number(struct csg_json *json, const char *key, double value)
 {
     begin_member(json, key);
-    if (isfinite(value))
-        fprintf(json->file, "%.17g", value);
-    else
-        fputs("null", json->file);
+    print_number(json->file, value);
+}
+
+void csg_json_vector(struct csg_json *json, const char *key, const double value[3])
+{
+    begin_member(json, key);
+    for (int i = 0; i < 3; i++) {
+        fputs(i ? ", " : "[", json->file);
+        print_number(json->file, value[i]);
+    }
+    fputc(']', json->file);
 }

@@ -21,7 +21,13 @@ void csg_json_close(struct csg_json *json);
 void csg_json_string(struct csg_json *json, const char *key, const char *value);
 void csg_json_size(struct csg_json *json, const char *key, size_t value);
 
-/* One that is not finite, which JSON lacks, becomes null. */
+/* A list; what is put into it has the key NULL. */
+void csg_json_list_open(struct csg_json *json, const char *key);
+void csg_json_list_close(struct csg_json *json);
+
+void csg_json_bool(struct csg_json *json, const char *key, bool value);
+
+/* An infinite number and NaN, which JSON lacks, become null. */
 void csg_json_number(struct csg_json *json, const char *key, double value);
 
 /* Three numbers; an infinite one, which JSON lacks, becomes null. */

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info,
-                                                         &csg_command_export};
+                                                         &csg_command_export, &csg_command_compare};
 
 #define NUM_COMMANDS (sizeof commands / sizeof *commands)
 #define MAX_SUGGESTION_DISTANCE 3
@@ -26,13 +26,13 @@ static void print_names(const char *title, const char *(*name)(size_t index))
     printf("\n");
 }
 
-static void print_exit_codes(void)
+static void print_exit_codes(const char *exits)
 {
-    printf("\nExit codes\n"
-           "  0  all went well\n"
-           "  1  the scene cannot be read or rendered\n"
-           "  2  the command line makes no sense\n"
-           "  3  the result cannot be written\n");
+    printf("\nExit codes\n%s", exits ? exits
+                                    : "  0  all went well\n"
+                                      "  1  the scene cannot be read or rendered\n"
+                                      "  2  the command line makes no sense\n"
+                                      "  3  the result cannot be written\n");
 }
 
 static void print_overview(void)
@@ -54,7 +54,7 @@ static void print_overview(void)
            "  csgcast render part.scad -o part.png\n"
            "  csgcast info part.scad\n"
            "  csgcast help render\n");
-    print_exit_codes();
+    print_exit_codes(NULL);
 }
 
 static void print_command_help(const struct csg_cli_command *command)
@@ -65,7 +65,7 @@ static void print_command_help(const struct csg_cli_command *command)
     print_names("Colour schemes", csgcast_colorscheme_name);
     print_names("Variants", csgcast_variant_name);
     printf("\nExamples\n%s", command->tail);
-    print_exit_codes();
+    print_exit_codes(command->exits);
 }
 
 static const struct csg_cli_command *find_command(const char *name)

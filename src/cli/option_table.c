@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "option_table.h"
 
+#include "compare_options.h"
 #include "values.h"
 
 #include <string.h>
@@ -267,9 +268,11 @@ static const char *set_help(struct csg_cli_options *options, const char *value)
 #define INFO CSG_COMMAND_INFO
 #define EXPORT CSG_COMMAND_EXPORT
 #define BENCH CSG_COMMAND_BENCH
-#define VIEW (RENDER | EXPORT | BENCH) /* commands that look at the scene */
-#define DRAW (RENDER | INFO | BENCH)   /* that render a frame */
-#define ALL (RENDER | INFO | EXPORT | BENCH)
+#define COMPARE CSG_COMMAND_COMPARE
+#define PAINT (RENDER | EXPORT | BENCH)        /* commands that show colours */
+#define VIEW (PAINT | COMPARE)                 /* that look at the scene */
+#define DRAW (RENDER | INFO | BENCH | COMPARE) /* that render a frame */
+#define ALL (RENDER | INFO | EXPORT | BENCH | COMPARE)
 
 const struct csg_option csg_option_table[] = {
     {"output", 'o', REQUIRED, RENDER, "FILE",
@@ -281,8 +284,43 @@ const struct csg_option csg_option_table[] = {
      "- is standard output; default: the scene's name with .pov, in\n"
      "the current directory",
      set_output},
-    {"o", 0, REQUIRED, RENDER | EXPORT, "FILE", NULL, set_output},
     {"format", 0, REQUIRED, EXPORT, "NAME", "pov instead of the extension", set_format},
+    {"output", 'o', REQUIRED, COMPARE, "FILE",
+     "the picture: csgcast, mesh and difference beside each other, a row\n"
+     "a view; default: the scene's name with .compare.png, in the\n"
+     "current directory, unless one of the next three is given",
+     set_output},
+    {"o", 0, REQUIRED, RENDER | EXPORT | COMPARE, "FILE", NULL, set_output},
+    {"side-by-side", 0, REQUIRED, COMPARE, "FILE", "a picture of csgcast and mesh only",
+     csg_set_side_by_side},
+    {"difference", 0, REQUIRED, COMPARE, "FILE", "a picture of the differences only",
+     csg_set_difference},
+    {"no-picture", 0, NONE, COMPARE, NULL, "write no picture", csg_set_no_picture},
+    {"mesh", 0, REQUIRED, COMPARE, "FILE",
+     "compare with this mesh (STL, OFF, OBJ, 3MF, ...); default: openscad\n"
+     "makes one of the scene, as it exports it",
+     csg_set_mesh},
+    {"sagitta", 0, REQUIRED, COMPARE, "LENGTH",
+     "how far facets may be off the surface, in scene units; for meshes\n"
+     "with other facets than --facets=as-written has; default: compare\n"
+     "with those",
+     csg_set_sagitta},
+    {"max-wrong", 0, REQUIRED, COMPARE, "SHARE",
+     "threshold: pixels that neither edges nor facets explain, as a share\n"
+     "of the mesh's pixels; default 1e-4",
+     csg_set_max_wrong},
+    {"min-iou", 0, REQUIRED, COMPARE, "SHARE",
+     "threshold: intersection over union of the silhouettes, 0 to 1;\n"
+     "default: not judged, like the following",
+     csg_set_min_iou},
+    {"max-depth-error", 0, REQUIRED, COMPARE, "LENGTH",
+     "threshold: largest error of the distance along the view axis, off\n"
+     "the edges, in scene units",
+     csg_set_max_depth},
+    {"max-depth-p99", 0, REQUIRED, COMPARE, "LENGTH",
+     "the same for 99 % of the pixels in every view", csg_set_max_depth_p99},
+    {"max-normal-p99", 0, REQUIRED, COMPARE, "DEGREES",
+     "threshold: error of the normal in 99 % of the pixels", csg_set_max_normal_p99},
     {"format", 0, REQUIRED, RENDER, "NAME", "png, exr, tif, ... instead of the extension",
      set_format},
     {"export-format", 0, REQUIRED, RENDER, "NAME", NULL, set_format},
@@ -302,9 +340,9 @@ const struct csg_option csg_option_table[] = {
      set_viewall},
     {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", set_autocenter},
     {"fov", 0, REQUIRED, VIEW, "DEGREES", "vertical field of view; default 22.5", set_fov},
-    {"colorscheme", 0, REQUIRED, VIEW, "NAME", "OpenSCAD's colour schemes; default Cornfield",
+    {"colorscheme", 0, REQUIRED, PAINT, "NAME", "OpenSCAD's colour schemes; default Cornfield",
      set_colorscheme},
-    {"cut-color", 0, REQUIRED, VIEW, "openscad|minuend",
+    {"cut-color", 0, REQUIRED, PAINT, "openscad|minuend",
      "colour of a cut face: as OpenSCAD's preview (default), or the\n"
      "colour of the solid that was cut",
      set_cut_color},
@@ -327,11 +365,11 @@ const struct csg_option csg_option_table[] = {
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},
-    {"stats", 0, NONE, ALL, NULL,
+    {"stats", 0, NONE, RENDER | INFO | EXPORT | BENCH, NULL,
      "print what the frame cost: on standard error, info in its report,\n"
      "and then of a frame of 512 by 512 pixels",
      set_stats},
-    {"json", 0, NONE, INFO, NULL, "for machines", set_json},
+    {"json", 0, NONE, INFO | COMPARE, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},
     {"quiet", 'q', NONE, ALL, NULL, "print errors only", set_quiet},

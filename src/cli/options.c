@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
+#include "compare_options.h"
 #include "messages.h"
 #include "option_table.h"
 #include "values.h"
@@ -206,7 +207,7 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
                        int num, char **argv)
 {
     struct parser parser = {.options = options, .command = command, .argv = argv, .num = num};
-    *options = (struct csg_cli_options){.facets = "auto"};
+    *options = (struct csg_cli_options){.facets = "auto", .compare = csg_compare_defaults};
     /* One more than can be needed, so that the size is never 0. */
     options->defines = calloc((size_t)num + 1, sizeof *options->defines);
     options->inputs = calloc((size_t)num + 1, sizeof *options->inputs);

@@ -12,7 +12,25 @@
 
 #include <stdio.h>
 
+/* What `csgcast compare` judges by. */
+struct csg_compare_limits {
+    double wrong;      /* share of the mesh's pixels */
+    double iou;        /* at least; 0: not judged */
+    double depth;      /* scene units; this and the next two: infinite: not judged */
+    double depth_p99;  /* scene units */
+    double normal_p99; /* degrees */
+};
+
+struct csg_compare_options {
+    const char *mesh; /* a file, NULL: openscad makes it */
+    const char *side_by_side, *difference;
+    bool no_picture;
+    double sagitta; /* scene units; 0: OpenSCAD's facets are compared instead */
+    struct csg_compare_limits limits;
+};
+
 struct csg_cli_options {
+    struct csg_compare_options compare;
     const char *input;  /* a path, or "-" for standard input; of several the first */
     const char **inputs; /* num_inputs; freed by csg_options_finish */
     size_t num_inputs;

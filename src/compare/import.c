@@ -52,5 +52,13 @@ bool csg_soup_import(const char *path, struct csg_soup *soup, const struct csg_l
     }
     const bool ok = add_scene(soup, scene);
     aiReleaseImport(scene);
-    return ok || csg_log_memory(log);
+    if (ok && soup->num_triangles)
+        return true;
+    if (ok)
+        csg_log_error(log, CSGCAST_MESSAGE_FILE, "the mesh %s: assimp finds no triangles in it",
+                      path);
+    else
+        csg_log_memory(log);
+    csg_soup_finish(soup);
+    return false;
 }

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CLI_PROCESS_H
+#define CSG_CLI_PROCESS_H
+
+/* Other programs, run to their end or to a time limit, and a folder for what they write. */
+
+#include <stdbool.h>
+
+enum csg_process_end {
+    CSG_PROCESS_DONE,      /* exit status 0 */
+    CSG_PROCESS_FAILED,    /* another status, or a signal */
+    CSG_PROCESS_MISSING,   /* no such program */
+    CSG_PROCESS_TIMED_OUT, /* killed */
+};
+
+/*
+ * Runs argv, found on the path, without a shell. What it prints goes to the file log (NULL: to
+ * /dev/null). limit: seconds, 0 for none. seconds: how long it took; may be NULL.
+ */
+enum csg_process_end csg_process_run(const char *const *argv, const char *log, double limit,
+                                     double *seconds);
+
+/* Whether a program of that name is on the path. */
+bool csg_process_exists(const char *program);
+
+/* A new folder in $TMPDIR or /tmp; text holds size bytes. false, with a message. */
+bool csg_process_make_folder(char *text, int size);
+/* Removes the folder and the files in it. */
+void csg_process_remove_folder(const char *folder);
+
+#endif
