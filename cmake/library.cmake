@@ -5,7 +5,7 @@
 
 file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.c
     ${PROJECT_SOURCE_DIR}/src/*/*/*.c)
-list(FILTER library_sources EXCLUDE REGEX "/src/(cli|compare|report)/")
+list(FILTER library_sources EXCLUDE REGEX "/src/(cli|compare|report|text)/")
 
 # shaders: some constants stand in .glsl files that C includes as well.
 set(internal_includes ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include
@@ -15,7 +15,7 @@ add_library(csgcast_objects OBJECT ${library_sources} ${shader_source})
 target_include_directories(csgcast_objects PRIVATE ${internal_includes})
 set_target_properties(csgcast_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
 csgcast_strict(csgcast_objects)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/image/image.c PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/common/module.c PROPERTIES
     COMPILE_DEFINITIONS CSGCAST_MODULE_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/csgcast")
 
 # Convex hulls: hull() and minkowski() say so where Qhull is missing.

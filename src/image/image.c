@@ -18,11 +18,8 @@
 #include <unistd.h>
 
 #include "common/destination.h"
+#include "common/module.h"
 #include "image/module.h"
-
-#ifndef CSGCAST_MODULE_DIR
-#define CSGCAST_MODULE_DIR "/usr/local/lib/csgcast"
-#endif
 
 #define MODULE_NAME "csgcast-image.so"
 
@@ -33,48 +30,9 @@ enum {
 
 /* ---- the module ---- */
 
-/* The folder of the file that this text is in: the library, or a program it is linked into. */
-static bool find_own_folder(char folder[PATH_MAX])
-{
-    Dl_info info;
-    const int found = dladdr((const void *)MODULE_NAME, &info);
-    if (found && info.dli_fname && strchr(info.dli_fname, '/')) {
-        snprintf(folder, PATH_MAX, "%s", info.dli_fname);
-    } else {
-        const ssize_t length = readlink("/proc/self/exe", folder, PATH_MAX - 1);
-        if (length < 0)
-            return false;
-        folder[length] = '\0';
-    }
-    char *slash = strrchr(folder, '/');
-    if (slash)
-        *slash = '\0';
-    return slash != NULL;
-}
-
-/* The reason is left for dlerror where the file is there but does not load. */
-static void *open_module_in(const char *folder, const char *below)
-{
-    char path[PATH_MAX + 64];
-    snprintf(path, sizeof path, "%s%s/" MODULE_NAME, folder, below);
-    return access(path, F_OK) == 0 ? dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) : NULL;
-}
-
-/* OpenImageIO's threads do not survive dlclose, so the module stays loaded. */
 static void *open_module(void)
 {
-    char folder[PATH_MAX];
-    const char *chosen = getenv("CSGCAST_IMAGE_MODULE");
-    if (chosen && *chosen)
-        return dlopen(chosen, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    void *module = NULL;
-    dlerror();
-    if (find_own_folder(folder)) {
-        module = open_module_in(folder, "");
-        if (!module)
-            module = open_module_in(folder, "/csgcast");
-    }
-    return module ? module : open_module_in(CSGCAST_MODULE_DIR, "");
+    return csg_module_open(MODULE_NAME, "CSGCAST_IMAGE_MODULE");
 }
 
 static csg_image_module_write_fn *find_write(void *module)
@@ -97,7 +55,7 @@ static bool write_with_module(const struct csg_image_file *file, struct csg_imag
         snprintf(error->text, sizeof error->text,
                  "cannot load " MODULE_NAME " (%.300s); install libopenimageio2.4 and csgcast, or "
                  "set CSGCAST_IMAGE_MODULE",
-                 reason ? reason : "it is neither beside the library nor in " CSGCAST_MODULE_DIR);
+                 reason ? reason : "it is neither beside the library nor where modules belong");
     }
     if (module)
         dlclose(module);

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "scene/text.h"
+
 /* Each # adds its subtree to the highlight layer once more. Nested in differences they could make
  * it quadratic in the size of the scene; beyond this many times its nodes they are left out.
  */
@@ -205,6 +207,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                 csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
+    csg_text_finish(&builder.text);
     free(builder.meanings);
     free(builder.parts.data);
     return done;

@@ -30,6 +30,16 @@ struct csg_meaning {
 
 struct csg_origins;
 
+struct csg_fonts;
+struct csg_text_module;
+
+/* What the first text() has opened; all NULL before. */
+struct csg_text_state {
+    void *handle;
+    const struct csg_text_module *module;
+    struct csg_fonts *fonts;
+};
+
 struct csg_builder {
     const struct csg_document *document;
     struct csg_report *report;
@@ -40,6 +50,7 @@ struct csg_builder {
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
+    struct csg_text_state text;
     struct csg_tree parts;        /* the trees of the compounds, one behind the other */
 };
 

@@ -87,7 +87,8 @@ static bool read_figure(struct reader *reader, uint32_t node)
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     struct csg_args args;
     return csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args) &&
-           ops->figure(&args, &reader->frames.data[reader->frames.num - 1].space, reader->drawing);
+           ops->figure(reader->walk, node, &args,
+                       &reader->frames.data[reader->frames.num - 1].space, reader->drawing);
 }
 
 static bool visit(struct reader *reader, uint32_t node, uint32_t *next)

@@ -40,9 +40,10 @@ static double space_rounding(const struct csg_space *space, double rounding,
 
 /* ---- square ------------------------------------------------------------------------------- */
 
-bool csg_figure_square(const struct csg_args *args, const struct csg_space *space,
-                       struct csg_drawing *drawing)
+bool csg_figure_square(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing)
 {
+    (void)walk, (void)node;
     const struct csg_value *value = csg_args_find(args, "size");
     double size[2] = {1, 1}, rounding = 0;
     if (value && value->type == CSG_VALUE_NUMBER) {
@@ -77,9 +78,10 @@ static bool add_circle(struct csg_drawing *drawing, const struct csg_space *spac
     return ok;
 }
 
-bool csg_figure_circle(const struct csg_args *args, const struct csg_space *space,
-                       struct csg_drawing *drawing)
+bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing)
 {
+    (void)walk, (void)node;
     const struct csg_facets facets = csg_args_facets(args);
     const bool facetted = csg_facets_wanted(args, &facets);
     double rounding = 0;
@@ -173,9 +175,10 @@ static bool add_paths(const struct csg_args *args, struct csg_drawing *drawing,
     return ok;
 }
 
-bool csg_figure_polygon(const struct csg_args *args, const struct csg_space *space,
-                        struct csg_drawing *drawing)
+bool csg_figure_polygon(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        const struct csg_space *space, struct csg_drawing *drawing)
 {
+    (void)walk, (void)node;
     const struct csg_value *points = csg_args_find(args, "points");
     struct csg_box box = csg_box_empty;
     double rounding = 0;

@@ -8,11 +8,11 @@
 #include "plane/drawing.h"
 #include "scene/nodes.h"
 
-bool csg_figure_square(const struct csg_args *args, const struct csg_space *space,
-                       struct csg_drawing *drawing);
-bool csg_figure_circle(const struct csg_args *args, const struct csg_space *space,
-                       struct csg_drawing *drawing);
-bool csg_figure_polygon(const struct csg_args *args, const struct csg_space *space,
-                        struct csg_drawing *drawing);
+bool csg_figure_square(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing);
+bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing);
+bool csg_figure_polygon(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        const struct csg_space *space, struct csg_drawing *drawing);
 
 #endif

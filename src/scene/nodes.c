@@ -6,6 +6,7 @@
 #include "scene/compounds.h"
 #include "scene/figures.h"
 #include "scene/flatten.h"
+#include "scene/text.h"
 #include "scene/transforms.h"
 #include "solids/solid.h"
 
@@ -85,7 +86,11 @@ static const struct csg_node_ops nodes[] = {
      .flatten = csg_flatten_offset},
     {.name = "import", .role = CSG_ROLE_UNSUPPORTED},
     {.name = "surface", .role = CSG_ROLE_UNSUPPORTED, .dimension = 3},
-    {.name = "text", .role = CSG_ROLE_UNSUPPORTED, .dimension = 2},
+    {.name = "text",
+     .role = CSG_ROLE_FIGURE,
+     .parameters = "text size font direction language script halign valign spacing",
+     .dimension = 2,
+     .figure = csg_figure_text},
     {.name = "fill", .role = CSG_ROLE_UNSUPPORTED, .dimension = 2},
     {.name = "roof", .role = CSG_ROLE_UNSUPPORTED, .dimension = 3},
     {.name = "import_dxf", .role = CSG_ROLE_UNSUPPORTED, .dimension = 2},

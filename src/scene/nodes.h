@@ -48,8 +48,8 @@ struct csg_node_ops {
     /* Changes the space of the children. false: a message was given. NULL: nothing to change. */
     bool (*enter)(const struct csg_args *args, struct csg_space *space);
     /* FIGURE: adds it to a drawing, see scene/figures.h. */
-    bool (*figure)(const struct csg_args *args, const struct csg_space *space,
-                   struct csg_drawing *drawing);
+    bool (*figure)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                   const struct csg_space *space, struct csg_drawing *drawing);
     /* In a drawing: replaces the nodes from draw on, the union of what is in the node, by what the
      * node makes of it. NULL: not there. false, with a message, when memory is out. */
     bool (*flatten)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,

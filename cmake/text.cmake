@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+#
+# csgcast-text: the module that draws text() with FreeType, HarfBuzz and fontconfig. It is loaded
+# at run time, when a scene has text.
+
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+    pkg_check_modules(text_libraries QUIET IMPORTED_TARGET freetype2 harfbuzz fontconfig)
+endif()
+if(NOT text_libraries_FOUND)
+    message(WARNING "FreeType, HarfBuzz or fontconfig is not installed: csgcast will refuse text() "
+        "(Debian: libfreetype-dev libharfbuzz-dev libfontconfig-dev)")
+    return()
+endif()
+
+add_library(csgcast-text MODULE ${PROJECT_SOURCE_DIR}/src/text/text.c)
+target_include_directories(csgcast-text PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(csgcast-text PRIVATE PkgConfig::text_libraries m)
+csgcast_strict(csgcast-text)
+set_target_properties(csgcast-text PROPERTIES PREFIX "")

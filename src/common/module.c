@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* dladdr */
+#endif
+
+#include "common/module.h"
+
+#include <dlfcn.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef CSGCAST_MODULE_DIR
+#define CSGCAST_MODULE_DIR "/usr/local/lib/csgcast"
+#endif
+
+const char csg_module_dir[] = CSGCAST_MODULE_DIR;
+
+/* The folder of the file that this text is in: the library, or a program it is linked into. */
+static bool find_own_folder(char folder[PATH_MAX])
+{
+    Dl_info info;
+    const int found = dladdr((const void *)csg_module_dir, &info);
+    if (found && info.dli_fname && strchr(info.dli_fname, '/')) {
+        snprintf(folder, PATH_MAX, "%s", info.dli_fname);
+    } else {
+        const ssize_t length = readlink("/proc/self/exe", folder, PATH_MAX - 1);
+        if (length < 0)
+            return false;
+        folder[length] = '\0';
+    }
+    char *slash = strrchr(folder, '/');
+    if (slash)
+        *slash = '\0';
+    return slash != NULL;
+}
+
+static void *open_file(const char *path)
+{
+    return dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+}
+
+/* The reason is left for dlerror where the file is there but does not load. */
+static void *open_in(const char *folder, const char *below, const char *name)
+{
+    char path[PATH_MAX + 64];
+    snprintf(path, sizeof path, "%s%s/%s", folder, below, name);
+    return access(path, F_OK) == 0 ? open_file(path) : NULL;
+}
+
+void *csg_module_open(const char *name, const char *variable)
+{
+    char folder[PATH_MAX];
+    const char *chosen = getenv(variable);
+    if (chosen && *chosen)
+        return open_file(chosen);
+    void *module = NULL;
+    dlerror();
+    if (find_own_folder(folder)) {
+        module = open_in(folder, "", name);
+        if (!module)
+            module = open_in(folder, "/csgcast", name);
+    }
+    return module ? module : open_in(csg_module_dir, "", name);
+}

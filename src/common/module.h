@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_COMMON_MODULE_H
+#define CSG_COMMON_MODULE_H
+
+/*
+ * Parts of libcsgcast that bring libraries of their own and are loaded when they are needed. They
+ * lie beside the library, below it in csgcast/, or where they were installed.
+ */
+
+/*
+ * Opens the module of that file name, or the one that the environment variable names. It stays
+ * loaded when it is closed: some libraries' threads do not survive that. NULL: dlerror() has the
+ * reason, or nothing where there is no such file.
+ */
+void *csg_module_open(const char *name, const char *variable);
+
+/* Where modules are installed. */
+extern const char csg_module_dir[];
+
+#endif

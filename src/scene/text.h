@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_TEXT_H
+#define CSG_SCENE_TEXT_H
+
+#include "plane/drawing.h"
+#include "scene/walk.h"
+
+/* text(): adds the outlines of its glyphs to a drawing, see scene/figures.h. */
+bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                     const struct csg_space *space, struct csg_drawing *drawing);
+
+/* Closes the module and the fonts of a walk. */
+void csg_text_finish(struct csg_text_state *state);
+
+#endif
