@@ -31,7 +31,9 @@
 /*
  * An attribute block, aligned to 4 texels: what shading needs of a leaf.
  * Of the normals' texels the fourth component is the block's place / 4 + 1, negative where a
- * quadric's terms n0 nu nv nk begin.
+ * quadric's terms n0 nu nv nk begin. The fourth components of nu nv nk are an affine term of the
+ * pixel that is to be added to the key of a quadric in the geometry buffer: 0, but for programs in
+ * double, which write how far the key is from it.
  */
 #define CSG_ATTRIBUTE_COLOR 0
 #define CSG_ATTRIBUTE_LEAF 1    /* leaf index */

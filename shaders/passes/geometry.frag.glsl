@@ -33,6 +33,11 @@ void main()
     int face = plane ? int(abs(csg_texel(place.x + 1 + place.y * CSG_TERM_TEXELS).w)) - 1 : 0;
 #endif
     int normal = int(head.w) * 4 + CSG_ATTRIBUTE_NORMALS + face;
-    csg_visible = uvec2(floatBitsToUint(float(k)), uint(normal + 1));
     gl_FragDepth = csg_depth(k) - csg_depth_bias;
+#ifdef CSG_DOUBLE
+    if (!plane) /* written from near it, so that float keeps it */
+        k -= csg_texel(normal + 1).w + (d.x * double(csg_texel(normal + 2).w) +
+                                        d.y * double(csg_texel(normal + 3).w));
+#endif
+    csg_visible = uvec2(floatBitsToUint(float(k)), uint(normal + 1));
 }

@@ -27,7 +27,9 @@ void main()
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
         normal += at.x * csg_texel(p + 1).xyz + at.y * csg_texel(p + 2).xyz + at.z * csg_texel(p + 3).xyz;
 #else
-        normal += d.x * csg_texel(p + 1).xyz + d.y * csg_texel(p + 2).xyz + k * csg_texel(p + 3).xyz;
+        vec4 u = csg_texel(p + 1), v = csg_texel(p + 2), w = csg_texel(p + 3);
+        normal += d.x * u.xyz + d.y * v.xyz + k * w.xyz;
+        k += u.w + (d.x * v.w + d.y * w.w);
 #endif
         float size = length(normal);
         normal = size > 0.0 ? normal / size : vec3(0.0, 0.0, 1.0);

@@ -331,9 +331,23 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     texels[0][3] = code;
 }
 
+/* The middle of the two crossings. Where that is far away, the leaf's own, if it is before the eye. */
+void csg_screen_base(const struct csg_screen *screen, const double texels[CSG_QUADRIC_TEXELS][4],
+                     struct csg_vec3 center, double radius, float base[3])
+{
+    const bool stiff = (int)texels[0][3] & CSG_QUADRIC_STIFF;
+    const double t = csg_dot(csg_sub(center, screen->origin), screen->forward);
+    const bool before = screen->orthographic ? isfinite(radius) : radius < 0.5 * t;
+    base[0] = base[1] = base[2] = 0;
+    if (stiff && before)
+        base[0] = (float)csg_screen_key(screen, t);
+    for (int i = 0; i < 3 && !stiff; i++)
+        base[i] = (float)texels[0][i];
+}
+
 /* Half the gradient of f, Q p in canonical space, carried back: affine in the pixel and k. */
 void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
-                       const struct csg_quadric *quadric, float terms[4][3])
+                       const struct csg_quadric *quadric, const float base[3], float terms[4][3])
 {
     const struct pencil pencil = pencil_at(screen, at, &quadric->to_canon);
     const double *d = quadric->diag;
@@ -344,6 +358,10 @@ void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
         const struct csg_vec3 canonical =
             csg_vec3(d[0] * p[0], d[1] * p[1], d[2] * p[2] + quadric->linear * p[3]);
         normals[i] = csg_map_transposed(&quadric->to_canon, canonical);
+    }
+    for (int i = 0; i < 4; i++) {
+        if (i < 3)
+            normals[i] = csg_add(normals[i], csg_scale((double)base[i], normals[3]));
         largest = fmax(largest, csg_length(normals[i]));
     }
     for (int i = 0; i < 4; i++) {

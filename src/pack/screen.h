@@ -77,9 +77,15 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         struct csg_vec3 center, double radius,
                         double texels[CSG_QUADRIC_TEXELS][4]);
 
-/* Terms n0 nu nv nk of the normal of a quadric's surface: gradient of f, not normalised. */
+/* An affine term of the pixel that is near the keys of a quadric's surface where its leaf is, for
+ * keys written relative to it; texels: of csg_screen_quadric. */
+void csg_screen_base(const struct csg_screen *screen, const double texels[CSG_QUADRIC_TEXELS][4],
+                     struct csg_vec3 center, double radius, float base[3]);
+
+/* Terms n0 nu nv nk of the normal of a quadric's surface: gradient of f, not normalised. nk is for
+ * keys relative to base. */
 void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
-                       const struct csg_quadric *quadric, float terms[4][3]);
+                       const struct csg_quadric *quadric, const float base[3], float terms[4][3]);
 
 /* The pixel that shows point, clamped to the screen. */
 struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_vec3 point);

@@ -79,7 +79,8 @@ static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node 
 }
 
 /* The crossings' terms. */
-static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (*texels)[4])
+static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (*texels)[4],
+                          float base[3])
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
@@ -93,6 +94,8 @@ static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (
     csg_screen_quadric(&terms->frame->screen, terms->frame->at, &carriers->quadrics[face.carrier],
                        face.flipped, terms->scene->leaves[leaf].shape.convex,
                        carriers->sheets[leaf], center, radius, texels);
+    if (terms->precise)
+        csg_screen_base(&terms->frame->screen, (const double(*)[4])texels, center, radius, base);
 }
 
 static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
@@ -101,17 +104,17 @@ static bool put_quadric(const struct csg_terms *terms, const struct csg_node *no
     const struct csg_face face = terms->scene->carriers->quadric_faces[node->leaf];
     const struct csg_quadric *quadric = &terms->scene->carriers->quadrics[face.carrier];
     const bool textbook = terms->params->textbook;
-    float normal[CSG_NORMAL_TERMS][3];
+    float normal[CSG_NORMAL_TERMS][3], base[3] = {0, 0, 0};
     if (textbook) {
         csg_textbook_quadric(quadric, face.flipped, texels);
         csg_textbook_normal(quadric, normal);
     } else {
-        put_crossings(terms, node->leaf, texels);
-        csg_screen_normal(&terms->frame->screen, terms->frame->at, quadric, normal);
+        put_crossings(terms, node->leaf, texels, base);
+        csg_screen_normal(&terms->frame->screen, terms->frame->at, quadric, base, normal);
     }
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)
         put_normal(normals[i], csg_vec3(normal[i][0], normal[i][1], normal[i][2]),
-                   face.flipped != node->negated ? -1 : 1, i == 0 ? -block : 0);
+                   face.flipped != node->negated ? -1 : 1, i == 0 ? -block : base[i - 1]);
     return !textbook && (int)texels[0][3] & CSG_QUADRIC_STIFF;
 }
 
