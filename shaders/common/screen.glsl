@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Depth keys k, as src/pack/screen.h defines them. */
 
-uniform vec4 csg_screen_depth; /* scale, offset, -, 0: affine, 1: of 1/t, 2: of all t */
+uniform vec4 csg_screen_depth; /* scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t */
 uniform vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
 
 /* Depth buffer value of a key: 0 near, 1 far. */

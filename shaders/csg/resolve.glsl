@@ -6,7 +6,7 @@
 bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;
-    k = -CSG_KEY_MAX;
+    k = csg_screen_depth.z;
     inside = csg_program_next(begin, end, d, k, false) <= k;
     for (;;) {
         csg_turns += 2;

@@ -3,6 +3,9 @@
 
 #include <stdlib.h>
 
+/* Share of the coordinates within which the eye is on a surface: double computes heights to 10^-15. */
+#define NEAR_EYE 1e-11
+
 bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_object *object,
                          struct csg_vec3 point)
 {
@@ -25,4 +28,30 @@ bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_obj
     const bool inside = values[0];
     free(values);
     return inside;
+}
+
+static double largest(struct csg_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+double csg_eye_near(const struct csgcast_scene *scene, struct csg_vec3 eye)
+{
+    double size = largest(eye);
+    if (csg_box_is_finite(&scene->box) && !csg_box_is_empty(&scene->box))
+        size = fmax(size, fmax(largest(scene->box.lo), largest(scene->box.hi)));
+    return NEAR_EYE * size;
+}
+
+bool csg_object_is_near(const struct csgcast_scene *scene, const struct csg_object *object,
+                        struct csg_vec3 point, double distance)
+{
+    if (csg_object_contains(scene, object, point))
+        return true;
+    for (int i = 0; i < 27 && distance > 0; i++) {
+        const struct csg_vec3 step = csg_vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (csg_object_contains(scene, object, csg_add(point, csg_scale(distance, step))))
+            return true;
+    }
+    return false;
 }

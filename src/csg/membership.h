@@ -9,4 +9,15 @@
 bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_object *object,
                          struct csg_vec3 point);
 
+/* The same for a ball about the point, by samples: some ray from there may start inside. */
+bool csg_object_is_near(const struct csgcast_scene *scene, const struct csg_object *object,
+                        struct csg_vec3 point, double distance);
+
+/*
+ * Where rays from the eye start, as a distance along the view axis: surfaces nearer than that are
+ * the eye's own. An eye exactly on a face then sees what its rays go through: the face's solid from
+ * inside on one side, the outside on the other, whatever the rounding of its height over the face.
+ */
+double csg_eye_near(const struct csgcast_scene *scene, struct csg_vec3 eye);
+
 #endif

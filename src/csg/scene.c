@@ -8,6 +8,7 @@
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/program.h"
+#include "csg/sharpness.h"
 
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)
 {
@@ -28,6 +29,7 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
 
 void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
+    free(scene->sharpness);
     csg_plan_destroy(scene->plan);
     csg_carriers_destroy(scene->carriers);
     if (scene->objects)
@@ -175,7 +177,8 @@ static bool finish(struct csgcast_scene *scene)
         return false;
     scene->carriers = csg_carriers_create(scene);
     scene->plan = csg_plan_create(scene);
-    if (!scene->carriers || !scene->plan)
+    scene->sharpness = scene->carriers ? csg_sharpness_create(scene) : NULL;
+    if (!scene->sharpness || !scene->plan)
         return false;
     fill_carrier_info(scene);
     return true;

@@ -29,6 +29,7 @@ struct csg_objects;
 struct csg_carriers;
 struct csg_edits;
 struct csg_plan;
+struct csg_sharpness;
 
 struct csgcast_scene {
     struct csg_log log;
@@ -46,6 +47,7 @@ struct csgcast_scene {
     struct csg_objects *objects;   /* drawn one by one */
     struct csg_carriers *carriers; /* distinct surfaces */
     struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
+    struct csg_sharpness *sharpness; /* by object: what its geometry asks of numbers */
     struct csg_box box;            /* of the model */
     struct csg_box written;        /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;

@@ -5,6 +5,7 @@
 
 #include "common/clock.h"
 #include "csg/membership.h"
+#include "pack/precise.h"
 #include "pack/terms.h"
 #include "tile/tile.h"
 
@@ -78,11 +79,12 @@ static bool object_rect(struct packer *packer, const struct csg_object *object,
 
 static bool holds_eye(const struct csg_screen *screen, const struct csg_box *box)
 {
-    const struct csg_vec3 eye = screen->origin;
+    const struct csg_vec3 eye = screen->origin, lo = box->lo, hi = box->hi;
+    const double near = screen->near; /* on the surface is inside of the box */
     if (screen->orthographic)
         return !csg_box_is_finite(box);
-    return box->lo.x <= eye.x && eye.x <= box->hi.x && box->lo.y <= eye.y && eye.y <= box->hi.y &&
-           box->lo.z <= eye.z && eye.z <= box->hi.z;
+    return lo.x - near <= eye.x && eye.x <= hi.x + near && lo.y - near <= eye.y &&
+           eye.y <= hi.y + near && lo.z - near <= eye.z && eye.z <= hi.z + near;
 }
 
 /* One for all objects: their flush faces then have the same keys to the last bit. */
@@ -126,6 +128,17 @@ static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct
     return csg_array_push(&frame->draws, *draw);
 }
 
+/* What only the terms told. */
+static void note_stiff(struct packer *packer, uint32_t index)
+{
+    const struct csg_terms *terms = &packer->terms;
+    if (index == CSG_WHOLE_LAYER || !terms->precise || packer->frame->precisions.data[index].precise)
+        return;
+    packer->frame->precisions.data[index] =
+        (struct csg_precision){.precise = true, .reason = CSG_REASON_STIFF,
+                               .leaf = terms->roughest, .resolved = terms->error};
+}
+
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
 {
     struct csg_rect rect;
@@ -133,8 +146,12 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
         return false;
     if (is_empty(&rect))
         return true;
-    if (!csg_terms_fill(&packer->terms, object))
+    const struct csg_precision precision =
+        csg_frame_precision(packer->frame, packer->scene, index, object->layer);
+    packer->terms.precise = precision.precise;
+    if (!csg_terms_fill(&packer->terms, object, &rect))
         return false;
+    note_stiff(packer, index);
     struct csg_draw draw = {.object = index, .layer = object->layer, .paint = object->paint};
     draw.translucent = packer->terms.translucent;
     draw.single = packer->terms.leaves.num == 1 &&
@@ -162,7 +179,7 @@ static bool starts_inside(const struct packer *packer, uint8_t layer)
         const struct csg_object *object = &objects->data[i];
         if (object->layer == layer && holds_eye(screen, &object->box) &&
             (screen->orthographic ||
-             csg_object_contains(packer->scene, object, screen->origin)))
+             csg_object_is_near(packer->scene, object, screen->origin, screen->near)))
             return true;
     }
     return false;
@@ -215,12 +232,14 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
         csg_screen_use_textbook(&frame->screen, &focus, csg_box_is_finite(&scene->box));
         frame->at = (struct csg_pixel){0.5 * params->width, 0.5 * params->height};
     }
+    csg_screen_set_near(&frame->screen, csg_eye_near(scene, frame->screen.origin));
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->proxy_pixels = frame->solid_tests = 0;
     frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
     frame->tile_ms = 0;
-    bool ok = csg_terms_init(&packer.terms, frame, scene, params);
+    bool ok = csg_terms_init(&packer.terms, frame, scene, params) &&
+              csg_frame_judge(frame, scene, params, &focus);
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);
     csg_terms_finish(&packer.terms);
@@ -232,5 +251,6 @@ void csg_frame_finish(struct csg_frame *frame)
 {
     free(frame->texels.data);
     free(frame->draws.data);
+    free(frame->precisions.data);
     *frame = (struct csg_frame){0};
 }

@@ -10,6 +10,7 @@
 
 #include "csg/program.h"
 #include "look/colorscheme.h"
+#include "pack/precision.h"
 #include "pack/screen.h"
 
 /* One instance: the vertex shader's attributes. */
@@ -35,6 +36,7 @@ struct csg_frame {
     struct csg_pixel at; /* the reference pixel of all objects */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
+    CSG_ARRAY(struct csg_precision) precisions; /* by object */
     size_t proxy_pixels;
     size_t solid_tests;  /* see csgcast_stats */
     size_t tiles_empty, tiles_opaque, tiles_mixed;

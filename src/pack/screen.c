@@ -116,6 +116,14 @@ void csg_screen_use_textbook(struct csg_screen *screen, const struct csg_box *fo
     screen->depth[3] = seen && bounded ? 0 : 2;
 }
 
+void csg_screen_set_near(struct csg_screen *screen, double t)
+{
+    const bool starts = !screen->orthographic && !screen->textbook && t > 0;
+    screen->near = starts ? t : 0;
+    screen->depth[2] =
+        starts ? (float)fmax(csg_screen_key(screen, t), -CSG_PLANE_KEY_MAX) : -CSG_KEY_MAX;
+}
+
 double csg_screen_key(const struct csg_screen *screen, double t)
 {
     if (screen->textbook)

@@ -32,6 +32,7 @@ struct csg_screen {
     double a, b;         /* perspective: k = a - b / t; orthographic: k = t - a, b = 1 */
     double scale;        /* of the homogeneous coordinates, so that they are near 1 */
     double k_far;        /* key at t = infinity; larger keys are behind the eye */
+    double near;         /* t at which rays start, see csg_eye_near; orthographic: none */
     float depth[4];      /* see csg_screen_depth in shaders/common/screen.glsl */
 };
 
@@ -46,6 +47,9 @@ void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *fr
 
 /* Makes t itself the key, for the variant "textbook". focus and bounded as in csg_screen_init. */
 void csg_screen_use_textbook(struct csg_screen *screen, const struct csg_box *focus, bool bounded);
+
+/* Where rays start: what is nearer than t has happened. Perspective only. */
+void csg_screen_set_near(struct csg_screen *screen, double t);
 
 /* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */
 struct csg_rect {

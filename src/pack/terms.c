@@ -98,7 +98,27 @@ static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (
         csg_screen_base(&terms->frame->screen, (const double(*)[4])texels, center, radius, base);
 }
 
-static bool put_quadric(const struct csg_terms *terms, const struct csg_node *node,
+/* Stiff quadrics are those whose crossings float may not hold. */
+static void note_stiff(struct csg_terms *terms, const struct csg_rect *rect, uint32_t leaf,
+                       const double (*texels)[4])
+{
+    const struct csg_screen *screen = &terms->frame->screen;
+    const uint32_t carrier = terms->scene->carriers->quadric_faces[leaf].carrier;
+    double depth[2];
+    if (terms->params->textbook || !((int)texels[0][3] & CSG_QUADRIC_STIFF))
+        return;
+    terms->stiff = true;
+    if (terms->precise)
+        return;
+    csg_depth_range(screen, &terms->scene->carriers->quadric_boxes[carrier], depth);
+    const double error = csg_quadric_error(screen, terms->frame->at, rect, depth, texels);
+    if (error <= terms->error)
+        return;
+    terms->error = error;
+    terms->roughest = leaf;
+}
+
+static void put_quadric(const struct csg_terms *terms, const struct csg_node *node,
                         double (*texels)[4], float (*normals)[4], float block)
 {
     const struct csg_face face = terms->scene->carriers->quadric_faces[node->leaf];
@@ -115,7 +135,6 @@ static bool put_quadric(const struct csg_terms *terms, const struct csg_node *no
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)
         put_normal(normals[i], csg_vec3(normal[i][0], normal[i][1], normal[i][2]),
                    face.flipped != node->negated ? -1 : 1, i == 0 ? -block : base[i - 1]);
-    return !textbook && (int)texels[0][3] & CSG_QUADRIC_STIFF;
 }
 
 /* A solid that no ray meets, with as many faces as the leaf has. */
@@ -134,7 +153,7 @@ static void put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[
 }
 
 static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_node *node)
+                     const struct csg_node *node, const struct csg_rect *rect)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
@@ -162,24 +181,43 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     else
         leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
     leaf.num_exits = num_planes - leaf.num_entries;
-    if (shape->has_quadric && !node->spare)
-        terms->stiff |= put_quadric(terms, node, texels + num_planes, normals, mark);
+    if (shape->has_quadric && !node->spare) {
+        put_quadric(terms, node, texels + num_planes, normals, mark);
+        note_stiff(terms, rect, node->leaf, (const double(*)[4])texels + num_planes);
+    }
     terms->translucent |= !node->spare && attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
     terms->texels.num += 4 * num_texels;
     terms->index[node->leaf] = (uint32_t)terms->leaves.num;
     return csg_array_push(&terms->leaves, leaf);
 }
 
-bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object)
+static bool fill(struct csg_terms *terms, const struct csg_object *object,
+                 const struct csg_rect *rect)
 {
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
     terms->leaves.num = terms->texels.num = 0;
     terms->translucent = terms->stiff = false;
-    terms->precise = terms->params->precise;
+    terms->error = 0;
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i]))
+        if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i], rect))
             return false;
     return true;
+}
+
+bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
+                    const struct csg_rect *rect)
+{
+    const size_t begin = terms->frame->texels.num;
+    if (!fill(terms, object, rect))
+        return false;
+    if (terms->precise || terms->error <= CSG_MAX_DEPTH_ERROR)
+        return true;
+    const double error = terms->error;
+    terms->frame->texels.num = begin;
+    terms->precise = true;
+    const bool ok = fill(terms, object, rect);
+    terms->error = error;
+    return ok;
 }
 
 static bool add_pop(struct csg_terms *terms, const struct csg_step *step)

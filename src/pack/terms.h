@@ -23,14 +23,18 @@ struct csg_terms {
     uint8_t *known;   /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
     bool precise;            /* records hold low parts too, for programs in double */
+    double error;            /* largest, of a stiff quadric: see csg_quadric_error */
+    uint32_t roughest;       /* the leaf that has it */
 };
 
 bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
                     const struct csgcast_scene *scene, const struct csg_frame_params *params);
 void csg_terms_finish(struct csg_terms *terms);
 
-/* Replaces the leaves by those of object; writes their attribute blocks into the frame. */
-bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object);
+/* Replaces the leaves by those of object, seen in rect; writes their attribute blocks into the frame. Makes
+ * terms precise where a stiff quadric asks for it. */
+bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
+                    const struct csg_rect *rect);
 
 static inline const struct csg_leaf_terms *csg_terms_of(const struct csg_terms *terms,
                                                         uint32_t leaf)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "csg/object.h"
+#include "csg/membership.h"
 #include "reference/reference.h"
 
 #define MAX_THREADS 64
@@ -13,6 +13,7 @@ struct job {
     const struct csg_reference_params *params;
     const struct csgcast_image *image;
     int first_row, stride; /* the rows of one thread */
+    double near;           /* where rays start */
     bool failed;
 };
 
@@ -83,11 +84,20 @@ static void overlay(struct job *job, uint8_t layer, const struct csg_ray *ray, d
     blend(rgba, color);
 }
 
+static double near_of(const struct csgcast_scene *scene, const struct csg_reference_params *params)
+{
+    const double *eye = params->frustum->eye;
+    return params->frustum->orthographic
+               ? -INFINITY
+               : csg_eye_near(scene, csg_vec3(eye[0], eye[1], eye[2]));
+}
+
 /* Behind a translucent surface the reference shows the background. */
 static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch)
 {
     const struct csgcast_image *image = job->image;
-    const struct csg_ray ray = csg_reference_ray(job->params, x, y);
+    struct csg_ray ray = csg_reference_ray(job->params, x, y);
+    ray.tnear = fmax(ray.tnear, job->near);
     const size_t index = (size_t)y * (size_t)job->params->width + (size_t)x;
     struct csg_hit hit = {.t = INFINITY};
     const bool found =
@@ -121,7 +131,8 @@ bool csg_reference_pixel(const struct csgcast_scene *scene,
                          const struct csgcast_image *image, int x, int y,
                          struct csg_ray_scratch *scratch)
 {
-    struct job job = {.scene = scene, .params = params, .image = image};
+    struct job job = {
+        .scene = scene, .params = params, .image = image, .near = near_of(scene, params)};
     pixel(&job, x, y, scratch);
     return !job.failed;
 }
@@ -148,7 +159,7 @@ bool csg_reference_render(const struct csgcast_scene *scene,
     const int num = cores < 1 ? 1 : cores > MAX_THREADS ? MAX_THREADS : (int)cores;
     bool started[MAX_THREADS] = {false}, failed = false;
     for (int i = 0; i < num; i++) {
-        jobs[i] = (struct job){scene, params, image, i, num, false};
+        jobs[i] = (struct job){scene, params, image, i, num, near_of(scene, params), false};
         started[i] = i + 1 < num && pthread_create(&threads[i], NULL, run, &jobs[i]) == 0;
         if (!started[i])
             run(&jobs[i]);

@@ -5,7 +5,7 @@
  * caster in long double that knows only the construction (tests/ideal). Prints a table, or CSV.
  *
  *     extreme [--backend=egl|osmesa|reference] [--shots=N] [--size=PIXELS] [--seed=S]
- *             [--sweep=NAME] [--variant=NAME] [--csv] [--full]
+ *             [--sweep=NAME] [--value=X] [--variant=NAME] [--csv] [--full] [--shots-too]
  */
 
 #include <math.h>
@@ -32,7 +32,8 @@ struct options {
     int shots, size;
     unsigned long long seed;
     const char *sweep, *variant;
-    bool csv, full;
+    double value; /* 0: all */
+    bool csv, full, shots_too;
 };
 
 struct run {
@@ -75,6 +76,25 @@ static void report(struct run *run, const struct shot *shot, const char *name, c
     save(shot, name);
 }
 
+/* One line a shot, for those who look for the one that is wrong. */
+static void print_shot(const struct run *run, const struct csgcast_renderer *renderer,
+                       const struct shot *shot, const char *name, const struct measure *m, const struct measure *before)
+{
+    struct csgcast_stats stats;
+    csgcast_renderer_get_stats(renderer, &stats);
+    double depth = 0, normal = 0;
+    for (size_t i = before->depth.num; i < m->depth.num; i++) {
+        depth = fmax(depth, m->depth.data[i]);
+        normal = fmax(normal, m->normal.data[i]);
+    }
+    if (run->options.shots_too)
+        fprintf(stderr, "%s: %s: wrong %zu outside %zu other %zu depth %.2g normal %.2g\n", name,
+                stats.variants, m->misses - before->misses, m->outside - before->outside,
+                m->other - before->other, depth, normal);
+    if (run->options.shots_too && (m->misses > before->misses || depth > MAX_DEPTH || normal > MAX_NORMAL))
+        save(shot, name);
+}
+
 static bool shoot(struct run *run, struct csgcast_renderer *renderer, const char *variant,
                   const struct csgcast_scene *scene, struct shot *shot, const char *name,
                   struct measure *measure)
@@ -86,6 +106,7 @@ static bool shoot(struct run *run, struct csgcast_renderer *renderer, const char
         !picture_render(renderer, scene, &shot->view, &run->picture))
         return false;
     measure_add(measure, &run->picture, &shot->ideal, &frustum, shot->extent);
+    print_shot(run, renderer, shot, name, measure, &before);
     report(run, shot, name, variant ? variant : "reference", measure, &before);
     return true;
 }
@@ -184,8 +205,11 @@ static bool run_sweeps(struct run *run)
         struct dice dice = {run->options.seed + (unsigned long long)i * 1000003};
         if (run->options.sweep && strcmp(run->options.sweep, sweeps[i].name) != 0)
             continue;
-        for (int j = 0; j < sweeps[i].num_values; j++)
+        for (int j = 0; j < sweeps[i].num_values; j++) {
+            if (run->options.value != 0 && run->options.value != sweeps[i].values[j])
+                continue;
             ok &= run_value(run, &sweeps[i], sweeps[i].values[j], &dice);
+        }
     }
     if (!run->options.sweep || strcmp(run->options.sweep, "crowds") == 0)
         ok &= crowds_check(run->renderer, run->options.full, run->options.csv);
@@ -204,6 +228,10 @@ static bool read_option(struct options *options, const char *arg)
         options->seed = strtoull(value, NULL, 0);
     else if (strncmp(arg, "--sweep=", 8) == 0)
         options->sweep = value;
+    else if (strncmp(arg, "--value=", 8) == 0)
+        options->value = atof(value);
+    else if (strcmp(arg, "--shots-too") == 0)
+        options->shots_too = true;
     else if (strncmp(arg, "--variant=", 10) == 0)
         options->variant = value;
     else if (strcmp(arg, "--csv") == 0)

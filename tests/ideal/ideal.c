@@ -10,6 +10,10 @@
 /* Neighbours further than this share of the scene from a pixel's surface see another one. */
 #define SAME_SURFACE 1e-7L
 
+/* Surfaces nearer to the eye, as a share of the coordinates, are the eye's own: the rule that
+ * csgcast has for an eye on a face. */
+#define NEAR_EYE 1e-11L
+
 struct event {
     real t;
     const struct ideal_form *form;
@@ -202,9 +206,10 @@ struct ideal_ray ideal_ray(const struct ideal_scene *scene, const struct csgcast
     struct ideal_vec dir = combine(frustum, flat ? 0 : sx, flat ? 0 : sy, 1);
     if (flat)
         org = ideal_add(org, combine(frustum, sx, sy, 0));
+    const real near = NEAR_EYE * (scene->size + ideal_length(org));
     org = ideal_add(org, ideal_scale(-1, scene->move));
     return (struct ideal_ray){rotate(scene, org, true), rotate(scene, dir, true),
-                              flat ? -(real)INFINITY : 0};
+                              flat ? -(real)INFINITY : near};
 }
 
 /* Roots of a t^2 + 2 b t + c. */

@@ -45,7 +45,7 @@ struct ideal_scene {
 /* In the space of the solids. A point of the ray is org + t dir, t along the view axis. */
 struct ideal_ray {
     struct ideal_vec org, dir;
-    real tnear; /* 0, or -infinity */
+    real tnear; /* nearly 0, or -infinity */
 };
 
 struct ideal_hit {

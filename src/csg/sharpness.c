@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/sharpness.h"
+
+#include <stdlib.h>
+
+#include "csg/carrier.h"
+#include "solids/quadric/eigen.h"
+#include "solids/sample.h"
+
+/* Every surface of an object is compared with so many of its neighbours in the order of compare:
+ * with all, in objects of that size. */
+#define MAX_NEIGHBOURS 64
+
+/* Quadrics with boxes that differ by less than this share nearly coincide. */
+#define NEAR_BOXES 1e-3
+
+/* Points of a quadric's surface that show how far it is from another. */
+#define NUM_SAMPLES 24
+
+/* A carrier of the object at hand. */
+struct surface {
+    uint32_t carrier, leaf;
+    double place; /* where to look for those like it: the direction of a plane, a side of a box */
+};
+
+struct surfaces {
+    CSG_ARRAY(struct surface) planes;
+    CSG_ARRAY(struct surface) quadrics;
+};
+
+static void note(struct csg_sharpness *sharp, enum csg_fineness what, double value, uint32_t leaf)
+{
+    if (value < sharp->least[what]) {
+        sharp->least[what] = value;
+        sharp->leaf[what] = leaf;
+    }
+}
+
+/* The leaf's box as it stands. */
+static void box_edges(const struct csg_shape *shape, struct csg_vec3 edges[3])
+{
+    const double size[3] = {shape->bounds.hi.x - shape->bounds.lo.x,
+                            shape->bounds.hi.y - shape->bounds.lo.y,
+                            shape->bounds.hi.z - shape->bounds.lo.z};
+    for (int i = 0; i < 3; i++) {
+        const struct csg_vec3 axis = csg_vec3(shape->frame.m[0][i], shape->frame.m[1][i],
+                                              shape->frame.m[2][i]);
+        edges[i] = csg_scale(isfinite(size[i]) ? size[i] : 1e30, axis);
+    }
+}
+
+static double thickness(const struct csg_vec3 edges[3])
+{
+    const double volume = fabs(csg_dot(edges[0], csg_cross(edges[1], edges[2])));
+    double least = INFINITY;
+    for (int i = 0; i < 3; i++)
+        least = fmin(least, volume / csg_length(csg_cross(edges[(i + 1) % 3], edges[(i + 2) % 3])));
+    return least;
+}
+
+/* Sum of the squares of the canonical coordinates in which the surface is curved. */
+static int axes_form(const struct csg_quadric *quadric, double form[3][3])
+{
+    int num = 0;
+    for (int i = 0; i < 3; i++) {
+        const double *row = quadric->to_canon.m[i];
+        if (quadric->diag[i] == 0 && !(i == 2 && quadric->linear != 0))
+            continue;
+        num++;
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                form[j][k] += row[j] * row[k];
+    }
+    return num;
+}
+
+/*
+ * The least radius of curvature: that of a section with the semi-axes a < b is a^2 / b. The form's
+ * eigenvalues are 1 / axis^2, largest first num of them; no axis is longer than what can be seen of the
+ * surface, size.
+ */
+static double curvature(const struct csg_quadric *quadric, double size)
+{
+    double form[3][3] = {{0}}, values[3];
+    struct csg_vec3 axes[3];
+    const int num = axes_form(quadric, form);
+    csg_eigen_symmetric(form, values, axes);
+    double most = 0, least = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        most = fmax(most, values[i]);
+        least = fmin(least, values[i]);
+    }
+    if (num < 2 || !(most > 0))
+        return INFINITY;
+    const double middle = values[0] + values[1] + values[2] - most - least;
+    const double shortest = 1 / sqrt(most), other = num == 2 ? middle : least;
+    const double longest = other * size * size > 1 ? 1 / sqrt(other) : size;
+    return shortest * fmin(1, shortest / longest);
+}
+
+static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *scene, uint32_t leaf)
+{
+    const struct csg_shape *shape = &scene->leaves[leaf].shape;
+    const struct csg_face face = scene->carriers->quadric_faces[leaf];
+    struct csg_vec3 edges[3];
+    box_edges(shape, edges);
+    note(sharp, CSG_FINE_THICKNESS, thickness(edges), leaf);
+    if (face.carrier == CSG_NO_CARRIER)
+        return;
+    const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
+    const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
+    note(sharp, CSG_FINE_CURVATURE, curvature(&scene->carriers->quadrics[face.carrier], size), leaf);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const struct surface *x = a, *y = b;
+    return x->place < y->place ? -1 : x->place > y->place;
+}
+
+/* Nearly parallel planes have nearly the same one. */
+static double place_of_plane(const struct csg_plane *plane)
+{
+    return fabs(csg_dot(plane->normal, csg_vec3(0.54, 0.32, 0.78)));
+}
+
+static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene, uint32_t leaf)
+{
+    const struct csg_carriers *carriers = scene->carriers;
+    for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
+        const uint32_t carrier = carriers->faces[i].carrier;
+        const double place = place_of_plane(&carriers->planes[carrier]);
+        if (!csg_array_push(&surfaces->planes, ((struct surface){carrier, leaf, place})))
+            return false;
+    }
+    const uint32_t carrier = carriers->quadric_faces[leaf].carrier;
+    if (carrier == CSG_NO_CARRIER)
+        return true;
+    const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
+    return csg_array_push(&surfaces->quadrics, ((struct surface){carrier, leaf, place}));
+}
+
+/*
+ * Over a ball around center, aligned planes at the angle a are between d - a r and d + a r apart, with
+ * d their distance in the middle: they meet there, or leave a gap.
+ */
+static void note_planes(struct csg_sharpness *sharp, const struct csg_plane *a,
+                        const struct csg_plane *b, struct csg_vec3 center, double radius,
+                        uint32_t leaf)
+{
+    const double s = csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
+    const double angle = csg_length(csg_sub(a->normal, csg_scale(s, b->normal)));
+    if (angle > CSG_FINE_MAX_ANGLE)
+        return;
+    const double apart = fabs((a->offset - csg_dot(a->normal, center)) -
+                              s * (b->offset - csg_dot(b->normal, center)));
+    if (apart <= angle * radius)
+        note(sharp, CSG_FINE_ANGLE, angle, leaf);
+    else if (apart <= radius)
+        note(sharp, CSG_FINE_GAP, apart - angle * radius, leaf);
+}
+
+static double box_difference(const struct csg_box *a, const struct csg_box *b)
+{
+    const struct csg_vec3 lo = csg_sub(a->lo, b->lo), hi = csg_sub(a->hi, b->hi);
+    return fmax(fmax(fabs(lo.x), fmax(fabs(lo.y), fabs(lo.z))),
+                fmax(fabs(hi.x), fmax(fabs(hi.y), fabs(hi.z))));
+}
+
+/* Largest distance of b's surface from the carrier, to first order, by samples. */
+static double deviation(const struct csg_quadric *carrier, const struct csg_shape *b)
+{
+    struct csg_vec3 points[NUM_SAMPLES];
+    const size_t num = csg_shape_sample(b, points, NUM_SAMPLES);
+    double largest = num ? 0 : INFINITY;
+    for (size_t i = 0; i < num; i++) {
+        const double slope = csg_length(csg_quadric_gradient(carrier, points[i]));
+        largest = fmax(largest, fabs(csg_quadric_value(carrier, points[i])) / slope);
+    }
+    return largest;
+}
+
+/* Quadrics nearly coincide where the solids' boxes do, and the surfaces all over. */
+static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                          const struct surface *a, const struct surface *b)
+{
+    const struct csg_box box = csg_leaf_box(&scene->leaves[a->leaf]);
+    const struct csg_box other = csg_leaf_box(&scene->leaves[b->leaf]);
+    const double near = NEAR_BOXES * csg_length(csg_sub(box.hi, box.lo));
+    if (!csg_box_is_finite(&box) || !csg_box_is_finite(&other) ||
+        !(box_difference(&box, &other) < near))
+        return;
+    const double apart = deviation(&scene->carriers->quadrics[a->carrier],
+                                   &scene->leaves[b->leaf].shape);
+    if (apart < near)
+        note(sharp, CSG_FINE_GAP, apart, b->leaf);
+}
+
+/* Surfaces that are alike are neighbours. */
+static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                       struct surfaces *surfaces, struct csg_vec3 center, double radius)
+{
+    const struct csg_carriers *carriers = scene->carriers;
+    const size_t num_planes = surfaces->planes.num, num_quadrics = surfaces->quadrics.num;
+    const struct surface *p = surfaces->planes.data, *q = surfaces->quadrics.data;
+    if (num_planes > 1)
+        qsort(surfaces->planes.data, num_planes, sizeof *p, compare);
+    if (num_quadrics > 1)
+        qsort(surfaces->quadrics.data, num_quadrics, sizeof *q, compare);
+    for (size_t i = 0; i < num_planes; i++)
+        for (size_t j = i + 1; j < num_planes && j < i + MAX_NEIGHBOURS &&
+                               p[j].place - p[i].place < 2 * CSG_FINE_MAX_ANGLE; j++)
+            if (p[i].carrier != p[j].carrier)
+                note_planes(sharp, &carriers->planes[p[i].carrier],
+                            &carriers->planes[p[j].carrier], center, radius, p[j].leaf);
+    for (size_t i = 0; i < num_quadrics; i++)
+        for (size_t j = i + 1; j < num_quadrics && j < i + MAX_NEIGHBOURS &&
+                               q[j].place - q[i].place < NEAR_BOXES * radius; j++)
+            if (q[i].carrier != q[j].carrier)
+                note_quadrics(sharp, scene, &q[i], &q[j]);
+}
+
+/* Of an unbounded object: where its planes are. */
+static double radius_of_planes(const struct surfaces *surfaces, const struct csg_carriers *carriers)
+{
+    double radius = 0;
+    for (size_t i = 0; i < surfaces->planes.num; i++)
+        radius = fmax(radius, fabs(carriers->planes[surfaces->planes.data[i].carrier].offset));
+    return radius > 0 ? radius : 1;
+}
+
+static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                        const struct csg_object *object, struct surfaces *surfaces)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    surfaces->planes.num = surfaces->quadrics.num = 0;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        note_leaf(sharp, scene, nodes[i].leaf);
+        if (!add_leaf(surfaces, scene, nodes[i].leaf))
+            return false;
+    }
+    const struct csg_box *box = &object->box;
+    const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
+    note_pairs(sharp, scene, surfaces,
+               known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
+               known ? 0.5 * csg_length(csg_sub(box->hi, box->lo))
+                     : radius_of_planes(surfaces, scene->carriers));
+    return true;
+}
+
+static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
+
+struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene)
+{
+    const size_t num = scene->objects->num;
+    struct csg_sharpness *sharp = malloc((num + 1) * sizeof *sharp);
+    struct surfaces surfaces = {{0}, {0}};
+    bool ok = sharp != NULL;
+    for (size_t i = 0; i < num && ok; i++) {
+        sharp[i] = blunt;
+        ok = note_object(&sharp[i], scene, &scene->objects->data[i], &surfaces);
+    }
+    free(surfaces.planes.data);
+    free(surfaces.quadrics.data);
+    if (!ok) {
+        free(sharp);
+        return NULL;
+    }
+    return sharp;
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_SHARPNESS_H
+#define CSG_CSG_SHARPNESS_H
+
+/*
+ * How fine an object's geometry is, whatever the view: what numbers have to resolve. The frame
+ * compares it with the rounding of float there and draws in double where that is too coarse
+ * (pack/precision.h).
+ */
+
+#include <stdint.h>
+
+#include "csg/object.h"
+
+enum csg_fineness {
+    CSG_FINE_THICKNESS, /* of a solid: the least height of its box */
+    CSG_FINE_CURVATURE, /* least radius of curvature of a quadric */
+    CSG_FINE_ANGLE,     /* radians, between two planes that meet in the object, nearly parallel */
+    CSG_FINE_GAP,       /* between two surfaces that nearly coincide */
+    CSG_NUM_FINE
+};
+
+/* Lengths in scene units; infinite where there is nothing of the sort. */
+struct csg_sharpness {
+    double least[CSG_NUM_FINE];
+    uint32_t leaf[CSG_NUM_FINE]; /* where it was found */
+};
+
+/* Two planes at a larger angle are never a matter of precision. */
+#define CSG_FINE_MAX_ANGLE 1e-2
+
+/* One for each object. NULL: out of memory. */
+struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene);
+
+#endif

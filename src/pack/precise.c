@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+#include "pack/precise.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "csg/carrier.h"
+
+/* Which carriers belong to precise objects: planes, then quadrics. */
+struct marks {
+    const struct csgcast_scene *scene;
+    bool *marked;
+    bool changed;
+};
+
+/* Visits the carriers of an object: marks them, or tells whether one is marked. */
+static bool visit(struct marks *marks, const struct csg_object *object, bool mark)
+{
+    const struct csg_carriers *carriers = marks->scene->carriers;
+    const struct csg_node *nodes = marks->scene->trees[object->layer].data;
+    bool found = false;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        const uint32_t leaf = nodes[i].leaf;
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        for (uint32_t j = carriers->face_begin[leaf]; j <= carriers->face_begin[leaf + 1]; j++) {
+            const bool plane = j < carriers->face_begin[leaf + 1];
+            const uint32_t carrier =
+                plane ? carriers->faces[j].carrier : carriers->quadric_faces[leaf].carrier;
+            bool *marked = marks->marked + (plane ? 0 : carriers->num_planes) + carrier;
+            if (carrier == CSG_NO_CARRIER)
+                continue;
+            found |= *marked;
+            marks->changed |= mark && !*marked;
+            *marked |= mark;
+        }
+    }
+    return found;
+}
+
+/* Until nothing changes: an object that shares a surface hands it on. */
+static void spread(struct csg_frame *frame, const struct csg_objects *objects, struct marks *marks)
+{
+    do {
+        marks->changed = false;
+        for (size_t i = 0; i < objects->num; i++) {
+            struct csg_precision *precision = &frame->precisions.data[i];
+            if (!precision->precise && visit(marks, &objects->data[i], false))
+                *precision = (struct csg_precision){
+                    .precise = true, .reason = CSG_REASON_SHARED, .leaf = precision->leaf};
+            if (precision->precise)
+                visit(marks, &objects->data[i], true);
+        }
+    } while (marks->changed);
+}
+
+static bool spread_to_sharers(struct csg_frame *frame, const struct csgcast_scene *scene)
+{
+    struct marks marks = {.scene = scene};
+    marks.marked = calloc(scene->carriers->num_planes + scene->carriers->num_quadrics + 1, 1);
+    if (marks.marked)
+        spread(frame, scene->objects, &marks);
+    free(marks.marked);
+    return marks.marked != NULL;
+}
+
+bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
+                     const struct csg_frame_params *params, const struct csg_box *focus)
+{
+    const size_t num = scene->objects->num;
+    size_t num_precise = 0;
+    frame->precisions.num = 0;
+    if (!csg_array_reserve(&frame->precisions, num + 1))
+        return false;
+    frame->precisions.num = num;
+    for (size_t i = 0; i < num; i++) {
+        struct csg_precision *precision = &frame->precisions.data[i];
+        *precision = (struct csg_precision){.precise = params->precise, .reason = CSG_REASON_ASKED};
+        if (!params->precise && !params->textbook)
+            *precision = csg_precision_of(&frame->screen, scene, i, focus);
+        num_precise += precision->precise;
+    }
+    return num_precise == 0 || num_precise == num || spread_to_sharers(frame, scene);
+}
+
+struct csg_precision csg_frame_precision(const struct csg_frame *frame,
+                                         const struct csgcast_scene *scene, uint32_t object,
+                                         uint8_t layer)
+{
+    if (object != CSG_WHOLE_LAYER)
+        return frame->precisions.data[object];
+    for (size_t i = 0; i < frame->precisions.num; i++)
+        if (scene->objects->data[i].layer == layer && frame->precisions.data[i].precise)
+            return frame->precisions.data[i];
+    return (struct csg_precision){.precise = false};
+}
