@@ -41,5 +41,6 @@ extern const struct csg_cli_command csg_command_render;
 extern const struct csg_cli_command csg_command_info;
 extern const struct csg_cli_command csg_command_export;
 extern const struct csg_cli_command csg_command_compare;
+extern const struct csg_cli_command csg_command_bench;
 
 #endif

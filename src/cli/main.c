@@ -13,7 +13,8 @@
 #include <unistd.h>
 
 static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info,
-                                                         &csg_command_export, &csg_command_compare};
+                                                         &csg_command_export, &csg_command_compare,
+                                                         &csg_command_bench};
 
 #define NUM_COMMANDS (sizeof commands / sizeof *commands)
 #define MAX_SUGGESTION_DISTANCE 3

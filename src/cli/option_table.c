@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define MAX_IMAGE_SIZE 16384 /* pixels; csgcast_view's limit */
+#define MAX_FRAMES 100000    /* of a measurement */
 
 static const char *set_output(struct csg_cli_options *options, const char *value)
 {
@@ -226,6 +227,30 @@ static const char *set_bits(struct csg_cli_options *options, const char *value)
     return csg_value_int(value, bits) && (*bits == 8 || *bits == 16) ? NULL : "8 or 16";
 }
 
+static const char *set_frames(struct csg_cli_options *options, const char *value)
+{
+    int *num = &options->num_frames;
+    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES ? NULL
+                                                                       : "a number from 1 to 100000";
+}
+
+static const char *set_orbit(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->orbit = true;
+    return NULL;
+}
+
+static const char *set_edit(struct csg_cli_options *options, const char *value)
+{
+    options->edit = true;
+    if (!value)
+        return NULL;
+    return csg_value_int(value, &options->edited_leaf) && options->edited_leaf >= 0
+               ? NULL
+               : "the number of a leaf, from 0";
+}
+
 static const char *set_stats(struct csg_cli_options *options, const char *value)
 {
     (void)value;
@@ -365,11 +390,17 @@ const struct csg_option csg_option_table[] = {
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},
-    {"stats", 0, NONE, RENDER | INFO | EXPORT | BENCH, NULL,
+    {"stats", 0, NONE, RENDER | INFO, NULL,
      "print what the frame cost: on standard error, info in its report,\n"
      "and then of a frame of 512 by 512 pixels",
      set_stats},
-    {"json", 0, NONE, INFO | COMPARE, NULL, "for machines", set_json},
+    {"frames", 0, REQUIRED, BENCH, "N", "frames after the first image; default 20", set_frames},
+    {"orbit", 0, NONE, BENCH, NULL, "turn the camera each frame, once around in all", set_orbit},
+    {"edit", 0, OPTIONAL, BENCH, "LEAF",
+     "move one leaf each frame: a number of the channel id, default\n"
+     "the last one",
+     set_edit},
+    {"json", 0, NONE, INFO | COMPARE | BENCH, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},
     {"quiet", 'q', NONE, ALL, NULL, "print errors only", set_quiet},

@@ -207,7 +207,10 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
                        int num, char **argv)
 {
     struct parser parser = {.options = options, .command = command, .argv = argv, .num = num};
-    *options = (struct csg_cli_options){.facets = "auto", .compare = csg_compare_defaults};
+    *options = (struct csg_cli_options){.facets = "auto",
+                                        .compare = csg_compare_defaults,
+                                        .num_frames = 20,
+                                        .edited_leaf = -1};
     /* One more than can be needed, so that the size is never 0. */
     options->defines = calloc((size_t)num + 1, sizeof *options->defines);
     options->inputs = calloc((size_t)num + 1, sizeof *options->inputs);

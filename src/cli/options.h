@@ -43,6 +43,9 @@ struct csg_cli_options {
     const char *facets;   /* the text of --facets */
     const char **defines; /* what scene.defines points to; freed likewise */
     bool quiet, stats, json, no_gl;
+    int num_frames;    /* bench: after the first image */
+    bool orbit, edit;  /* bench: what changes from frame to frame */
+    int edited_leaf;   /* bench: -1 for the last one */
     bool help; /* show the help instead */
 };
 

@@ -54,4 +54,20 @@ expect 2 "no scene" info
 report $? "standard input"
 prints "cube 1"
 
+# Bench.
+small=(--imgsize=32,24 --frames=2)
+expect 0 "bench" bench part.csg part.csg "${small[@]}"
+check "one line a scene" test "$(grep -c '^part.csg ' out)" -eq 2
+expect 0 "bench for machines" bench part.csg "${small[@]}" --orbit --edit=0 --json
+check "a list of objects" grep -q '^\[' out
+for key in first_image_ms frame_ms median cpu_ms programs compile_ms bytes_uploaded peak_rss; do
+    prints "\"$key\":"
+done
+prints '"programs_after_first": 0'
+expect 1 "bench of nothing" bench nothing.csg part.csg "${small[@]}"
+check "the others are measured" grep -q '^part.csg ' out
+expect 1 "no such leaf" bench part.csg "${small[@]}" --edit=7
+expect 2 "no frames" bench part.csg --frames=0
+expect 2 "bench of no scene" bench
+
 finish

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+#include "measure.h"
+
+#include "messages.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
+#define EDIT_STEP 0.01   /* of the scene's size: how far a leaf is moved at most */
+#define DEGREE (3.14159265358979323846 / 180)
+
+static double now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static struct csg_spread spread_of(double *values, size_t num)
+{
+    qsort(values, num, sizeof *values, compare);
+    const double median =
+        num % 2 ? values[num / 2] : 0.5 * (values[num / 2 - 1] + values[num / 2]);
+    return (struct csg_spread){median, values[0], values[num - 1]};
+}
+
+/* ---- what changes from frame to frame -------------------------------------------------------- */
+
+/* The camera turned about the z axis through what it looks at. */
+static void turn_camera(struct csgcast_camera *camera, double degrees)
+{
+    if (camera->kind == CSGCAST_CAMERA_VECTOR) {
+        const double x = camera->eye[0] - camera->center[0], y = camera->eye[1] - camera->center[1];
+        const double c = cos(degrees * DEGREE), s = sin(degrees * DEGREE);
+        camera->eye[0] = camera->center[0] + c * x - s * y;
+        camera->eye[1] = camera->center[1] + s * x + c * y;
+        return;
+    }
+    if (camera->kind == CSGCAST_CAMERA_DEFAULT) {
+        camera->kind = CSGCAST_CAMERA_GIMBAL;
+        camera->rotate[0] = 55;
+        camera->rotate[2] = 25;
+        camera->distance = 1; /* viewall finds it */
+        camera->viewall = camera->autocenter = true;
+    }
+    camera->rotate[2] += degrees;
+}
+
+struct edited {
+    size_t leaf;
+    double matrix[16]; /* as in the file */
+    double step;       /* scene units */
+};
+
+static bool begin_edits(struct csgcast_scene *scene, int asked, struct edited *edited)
+{
+    struct csgcast_leaf leaf;
+    double lo[3], hi[3];
+    const size_t num = csgcast_scene_num_leaves(scene);
+    if (num == 0 || asked >= (long)num) {
+        csg_cli_error("--edit: the scene has %zu leaves", num);
+        return false;
+    }
+    edited->leaf = asked >= 0 ? (size_t)asked : num - 1;
+    if (!csgcast_scene_get_leaf(scene, edited->leaf, &leaf))
+        return false;
+    memcpy(edited->matrix, leaf.matrix, sizeof edited->matrix);
+    const bool bounded = csgcast_scene_get_bounds(scene, lo, hi) && isfinite(hi[0] - lo[0]);
+    edited->step = bounded ? EDIT_STEP * (hi[0] - lo[0]) : EDIT_STEP;
+    return true;
+}
+
+/* Moves the leaf along x, there and back, never to the same place. */
+static bool edit_scene(struct csgcast_scene *scene, const struct edited *edited, int frame)
+{
+    double matrix[16];
+    memcpy(matrix, edited->matrix, sizeof matrix);
+    matrix[3] += edited->step * sin(0.7 * (frame + 1));
+    return csgcast_scene_set_matrix(scene, edited->leaf, matrix);
+}
+
+/* ---- the frames ------------------------------------------------------------------------------ */
+
+struct run {
+    const struct csg_cli_options *options;
+    const char *input;
+    struct csgcast_scene *scene;
+    struct csgcast_renderer *renderer;
+    struct csgcast_view view;
+    struct csgcast_image image;
+    struct edited edited;
+    double *frame_ms, *cpu_ms, *edit_ms; /* num_frames each */
+    struct csg_measurement *result;
+};
+
+static bool is_verbose(const struct run *run)
+{
+    return !run->options->quiet && isatty(STDERR_FILENO);
+}
+
+static bool draw(struct run *run)
+{
+    const bool good = csgcast_render(run->renderer, run->scene, &run->view, &run->image);
+    csgcast_renderer_get_stats(run->renderer, &run->result->stats);
+    run->result->compile_ms += run->result->stats.compile_ms;
+    return good;
+}
+
+static bool draw_first(struct run *run)
+{
+    struct csgcast_scene_params params = run->options->scene;
+    params.editable = run->options->edit;
+    const double begun = now_ms();
+    run->scene = csgcast_scene_load(run->input, &params);
+    run->result->load_ms = now_ms() - begun;
+    run->renderer = run->scene ? csgcast_renderer_create(&run->options->renderer) : NULL;
+    if (!run->renderer || !draw(run))
+        return false;
+    run->result->first_image_ms = now_ms() - begun;
+    run->result->first_programs = run->result->stats.programs;
+    return true;
+}
+
+static bool draw_frame(struct run *run, int frame)
+{
+    const double begun = now_ms();
+    if (run->options->orbit)
+        turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
+    if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
+        return false;
+    run->edit_ms[frame] = run->options->edit ? now_ms() - begun : 0;
+    if (!draw(run))
+        return false;
+    run->frame_ms[frame] = now_ms() - begun;
+    run->cpu_ms[frame] = run->result->stats.cpu_ms;
+    if (is_verbose(run))
+        fprintf(stderr, "\r%s: frame %d of %d \r", run->input, frame + 1, run->result->num_frames);
+    return true;
+}
+
+static bool draw_frames(struct run *run)
+{
+    struct csg_measurement *result = run->result;
+    const size_t num = (size_t)result->num_frames;
+    if (run->options->edit && !begin_edits(run->scene, run->options->edited_leaf, &run->edited))
+        return false;
+    bool good = true;
+    for (int frame = 0; frame < result->num_frames && good; frame++)
+        good = draw_frame(run, frame);
+    if (is_verbose(run))
+        fprintf(stderr, "\033[K");
+    if (!good)
+        return false;
+    result->frame_ms = spread_of(run->frame_ms, num);
+    result->cpu_ms = spread_of(run->cpu_ms, num);
+    result->edit_ms = spread_of(run->edit_ms, num);
+    return true;
+}
+
+static bool measure(struct run *run)
+{
+    const size_t pixels = (size_t)run->view.width * (size_t)run->view.height;
+    const size_t num = (size_t)run->result->num_frames;
+    run->image.rgba = malloc(4 * pixels * sizeof *run->image.rgba);
+    run->frame_ms = calloc(3 * num, sizeof *run->frame_ms);
+    if (!run->image.rgba || !run->frame_ms) {
+        csg_cli_error("out of memory for an image of %d x %d pixels", run->view.width,
+                      run->view.height);
+        return false;
+    }
+    run->cpu_ms = run->frame_ms + num;
+    run->edit_ms = run->cpu_ms + num;
+    if (!draw_first(run) || !draw_frames(run))
+        return false;
+    run->result->num_leaves = csgcast_scene_num_leaves(run->scene);
+    snprintf(run->result->renderer, sizeof run->result->renderer, "%s",
+             csgcast_renderer_name(run->renderer));
+    return true;
+}
+
+bool csg_measure(const struct csg_cli_options *options, const char *input,
+                 struct csg_measurement *result)
+{
+    struct run run = {
+        .options = options, .input = input, .view = options->view, .result = result};
+    run.view.width = run.view.width ? run.view.width : DEFAULT_SIZE;
+    run.view.height = run.view.height ? run.view.height : DEFAULT_SIZE;
+    *result = (struct csg_measurement){.width = run.view.width,
+                                       .height = run.view.height,
+                                       .num_frames = options->num_frames};
+    const bool good = measure(&run);
+    csgcast_renderer_destroy(run.renderer);
+    csgcast_scene_destroy(run.scene);
+    free(run.image.rgba);
+    free(run.frame_ms);
+    return good;
+}
