@@ -23,11 +23,13 @@ enum csg_cli_command_bit {
     CSG_COMMAND_BENCH = 8,
     CSG_COMMAND_COMPARE = 16,
     CSG_COMMAND_REPORT = 32,
+    CSG_COMMAND_CACHE = 64,
 };
 
 struct csg_cli_command {
     const char *name;
     enum csg_cli_command_bit bit;
+    bool no_scene;       /* takes none */
     const char *summary; /* one line for the list of commands */
     const char *usage;   /* what follows "csgcast NAME" */
     const char *text;    /* help between usage and options */
@@ -42,5 +44,6 @@ extern const struct csg_cli_command csg_command_info;
 extern const struct csg_cli_command csg_command_export;
 extern const struct csg_cli_command csg_command_compare;
 extern const struct csg_cli_command csg_command_bench;
+extern const struct csg_cli_command csg_command_cache;
 
 #endif

@@ -14,7 +14,7 @@
 
 static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info,
                                                          &csg_command_export, &csg_command_compare,
-                                                         &csg_command_bench};
+                                                         &csg_command_bench,  &csg_command_cache};
 
 #define NUM_COMMANDS (sizeof commands / sizeof *commands)
 #define MAX_SUGGESTION_DISTANCE 3
@@ -30,10 +30,10 @@ static void print_names(const char *title, const char *(*name)(size_t index))
 static void print_exit_codes(const char *exits)
 {
     printf("\nExit codes\n%s", exits ? exits
-                                    : "  0  all went well\n"
-                                      "  1  the scene cannot be read or rendered\n"
-                                      "  2  the command line makes no sense\n"
-                                      "  3  the result cannot be written\n");
+                                     : "  0  all went well\n"
+                                       "  1  the scene cannot be read or rendered\n"
+                                       "  2  the command line makes no sense\n"
+                                       "  3  the result cannot be written\n");
 }
 
 static void print_overview(void)
@@ -63,8 +63,10 @@ static void print_command_help(const struct csg_cli_command *command)
     printf("Usage\n  csgcast %s %s\n\n%s\nOptions (--name=value or --name value)\n", command->name,
            command->usage, command->text);
     csg_options_print(stdout, command);
-    print_names("Colour schemes", csgcast_colorscheme_name);
-    print_names("Variants", csgcast_variant_name);
+    if (!command->no_scene) {
+        print_names("Colour schemes", csgcast_colorscheme_name);
+        print_names("Variants", csgcast_variant_name);
+    }
     printf("\nExamples\n%s", command->tail);
     print_exit_codes(command->exits);
 }

@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <unistd.h>
 
 void csg_cli_error(const char *format, ...)
 {
@@ -29,7 +30,8 @@ void csg_cli_log(void *user, enum csgcast_log_level level, enum csgcast_message 
 {
     static const char *const prefix[] = {"error: ", "warning: ", ""};
     const bool *quiet = user;
-    (void)id;
+    if (id == CSGCAST_MESSAGE_PROGRESS && !isatty(STDERR_FILENO))
+        return;
     if (level == CSGCAST_LOG_ERROR || !*quiet)
         fprintf(stderr, "csgcast: %s%s\n", prefix[level], text);
 }

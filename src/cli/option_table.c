@@ -164,6 +164,42 @@ static const char *set_openscad(struct csg_cli_options *options, const char *val
     return *value ? NULL : "a program";
 }
 
+static const char *set_no_handoff(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.no_handoff = true;
+    return NULL;
+}
+
+static const char *set_cache(struct csg_cli_options *options, const char *value)
+{
+    options->scene.cache = value;
+    return *value ? NULL : "a directory; see --no-cache";
+}
+
+static const char *set_no_cache(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.cache = "";
+    return NULL;
+}
+
+static const char *set_cache_size(struct csg_cli_options *options, const char *value)
+{
+    double mebibytes;
+    if (!csg_value_double(value, &mebibytes) || !(mebibytes > 0 && mebibytes < 1e9))
+        return "mebibytes above 0";
+    options->scene.cache_size = (uint64_t)(mebibytes * (1 << 20)) + 1;
+    return NULL;
+}
+
+static const char *set_clear(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->clear = true;
+    return NULL;
+}
+
 static const char *set_backend(struct csg_cli_options *options, const char *value)
 {
     /* The last four are the mesh kernels of OpenSCAD's option of this name: any of ours will do. */
@@ -298,6 +334,7 @@ static const char *set_help(struct csg_cli_options *options, const char *value)
 #define VIEW (PAINT | COMPARE)                 /* that look at the scene */
 #define DRAW (RENDER | INFO | BENCH | COMPARE) /* that render a frame */
 #define ALL (RENDER | INFO | EXPORT | BENCH | COMPARE)
+#define CACHE CSG_COMMAND_CACHE
 
 const struct csg_option csg_option_table[] = {
     {"output", 'o', REQUIRED, RENDER, "FILE",
@@ -383,7 +420,16 @@ const struct csg_option csg_option_table[] = {
     {"skip-unsupported", 0, NONE, ALL, NULL, "draw the rest of a scene with unsupported nodes",
      set_skip_unsupported},
     {"openscad", 0, REQUIRED, ALL, "PROGRAM",
-     "what flattens .scad files; default $OPENSCAD or openscad", set_openscad},
+     "what flattens .scad files and evaluates subtrees that only it\n"
+     "can; default $OPENSCAD or openscad", set_openscad},
+    {"no-handoff", 0, NONE, ALL, NULL, "such subtrees are errors instead", set_no_handoff},
+    {"cache", 0, REQUIRED, ALL | CACHE, "DIR",
+     "where what openscad made of them is kept; default\n"
+     "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast", set_cache},
+    {"no-cache", 0, NONE, ALL, NULL, "neither read nor write it", set_no_cache},
+    {"cache-size", 0, REQUIRED, ALL, "MIB",
+     "its bound; default $CSGCAST_CACHE_SIZE or 256", set_cache_size},
+    {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
     {"backend", 0, REQUIRED, DRAW, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
     {"variant", 0, REQUIRED, DRAW, "NAME", "force one way to resolve the Boolean; default auto;\n"
@@ -400,11 +446,11 @@ const struct csg_option csg_option_table[] = {
      "move one leaf each frame: a number of the channel id, default\n"
      "the last one",
      set_edit},
-    {"json", 0, NONE, INFO | COMPARE | BENCH, NULL, "for machines", set_json},
+    {"json", 0, NONE, INFO | COMPARE | BENCH | CACHE, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},
-    {"quiet", 'q', NONE, ALL, NULL, "print errors only", set_quiet},
-    {"help", 'h', NONE, ALL, NULL, "this text", set_help},
+    {"quiet", 'q', NONE, ALL | CACHE, NULL, "print errors only", set_quiet},
+    {"help", 'h', NONE, ALL | CACHE, NULL, "this text", set_help},
     {NULL, 0, NONE, 0, NULL, NULL, NULL},
 };
 

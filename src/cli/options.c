@@ -220,7 +220,11 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     }
     if (!parse_arguments(&parser))
         return false;
-    if (!options->input && !options->help) {
+    if (options->input && command->no_scene) {
+        csg_cli_error("csgcast %s takes no scene: %s", command->name, options->input);
+        return false;
+    }
+    if (!options->input && !options->help && !command->no_scene) {
         csg_cli_error("which scene? usage: csgcast %s %s", command->name, command->usage);
         return false;
     }

@@ -46,6 +46,7 @@ struct csg_cli_options {
     int num_frames;    /* bench: after the first image */
     bool orbit, edit;  /* bench: what changes from frame to frame */
     int edited_leaf;   /* bench: -1 for the last one */
+    bool clear; /* the cache */
     bool help; /* show the help instead */
 };
 

@@ -4,11 +4,14 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
-static void print_to_stderr(enum csgcast_log_level level, const char *text)
+static void print_to_stderr(enum csgcast_log_level level, enum csgcast_message id,
+                            const char *text)
 {
     static const char *const prefix[] = {"error: ", "warning: ", ""};
-    fprintf(stderr, "csgcast: %s%s\n", prefix[level], text);
+    if (id != CSGCAST_MESSAGE_PROGRESS || isatty(STDERR_FILENO))
+        fprintf(stderr, "csgcast: %s%s\n", prefix[level], text);
 }
 
 void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
@@ -26,11 +29,22 @@ void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
     if (log && log->fn)
         log->fn(log->user, level, id, text);
     else
-        print_to_stderr(level, text);
+        print_to_stderr(level, id, text);
     free(large);
     va_end(again);
     va_end(args);
 }
+
+static void ignore(void *user, enum csgcast_log_level level, enum csgcast_message id,
+                   const char *text)
+{
+    (void)user;
+    (void)level;
+    (void)id;
+    (void)text;
+}
+
+const struct csg_log csg_log_silent = {ignore, NULL};
 
 bool csg_log_memory(const struct csg_log *log)
 {

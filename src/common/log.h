@@ -23,6 +23,9 @@ void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
 #define csg_log_error(log, id, ...) csg_log_print(log, CSGCAST_LOG_ERROR, id, __VA_ARGS__)
 #define csg_log_warning(log, id, ...) csg_log_print(log, CSGCAST_LOG_WARNING, id, __VA_ARGS__)
 
+/* Where messages go that nobody needs. */
+extern const struct csg_log csg_log_silent;
+
 /* The one message for a failed allocation. Always returns false. */
 bool csg_log_memory(const struct csg_log *log);
 

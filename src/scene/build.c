@@ -194,7 +194,7 @@ static bool build_layer(const struct csg_builder *builder, const struct layer_ru
 
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                const struct csgcast_scene_params *params, struct csg_origins *origins,
-               struct csg_report *report)
+               struct csg_handoff *handoff, struct csg_report *report)
 {
     struct csg_builder builder = {.document = document,
                                   .report = report,
@@ -202,9 +202,10 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .facets = params->facets,
                                   .skip_unsupported = params->skip_unsupported,
                                   .origins = origins,
+                                  .handoff = handoff,
                                   .directory = params->directory ? params->directory : "."};
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
-                csg_build_leaves(&builder);
+                csg_build_unsupported(&builder) && csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);

@@ -6,6 +6,7 @@
  * From nodes to a scene, in walks over the array of nodes:
  *   meaning.c  what each node is, and which are left out,
  *   dimension.c  which are two-dimensional where solids are wanted, or the other way round,
+ *   unsupported.c  which are nothing for us,
  *   leaves.c   the solids, in world space,
  *   build.c    the Boolean trees of the layers.
  */
@@ -22,6 +23,7 @@ struct csg_meaning {
     uint8_t kind;    /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
     uint8_t dimension; /* 2 or 3; 0: nothing in it says */
     bool is_covered; /* all of it is part of a highlighted subtree around it */
+    bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
     bool is_misplaced; /* two-dimensional among solids or the other way round: no operand */
     /* ROLE_SOLID: the index of its leaf; ROLE_COMPOUND: of its tree's root in the builder's parts;
      * CSG_NO_LEAF when it is empty. */
@@ -46,6 +48,7 @@ struct csg_builder {
     struct csgcast_scene *scene;
     enum csgcast_facets facets;
     bool skip_unsupported;
+    struct csg_handoff *handoff; /* NULL: what is not native is not supported */
     const char *directory; /* where relative file names in the text start; "." at least */
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
@@ -54,19 +57,30 @@ struct csg_builder {
     struct csg_tree parts;        /* the trees of the compounds, one behind the other */
 };
 
+struct csg_handoff;
+
 /*
- * Fills scene's leaves and trees; the trees are not simplified. All errors are reported; what is
- * wrong is then left out of the scene. origins gets where the leaves come from; NULL: not wanted.
- * false, with a message, when memory is out.
+ * Fills scene's leaves and trees; the trees are not simplified. What handoff is asked for is left
+ * out: the scene is then to be built again. All errors are reported; what is wrong is then left out
+ * of the scene. origins gets where the leaves come from; NULL: not wanted. false, with a message,
+ * when memory is out.
  */
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                const struct csgcast_scene_params *params, struct csg_origins *origins,
-               struct csg_report *report);
+               struct csg_handoff *handoff, struct csg_report *report);
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);
 bool csg_build_dimensions(struct csg_builder *builder);
+bool csg_build_unsupported(struct csg_builder *builder);
 bool csg_build_leaves(struct csg_builder *builder);
+
+/*
+ * The node cannot be done natively, for that reason ("text: ..."): it is handed to openscad, or where
+ * that cannot be, reported as an error or, with skip_unsupported, a warning. In each case it is
+ * empty for now.
+ */
+void csg_unsupported(struct csg_builder *builder, uint32_t node, const char *reason);
 
 /* Whether node is no operand of the node around it: under * or %, or of the wrong dimension. */
 static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t node)

@@ -57,7 +57,8 @@ static void check_nodes(struct csg_builder *builder)
     for (uint32_t i = builder->begin; i < builder->end;) {
         const struct csg_meaning *meaning = &builder->meanings[i];
         if (meaning->is_misplaced || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
-            meaning->role == CSG_ROLE_UNKNOWN || meaning->role == CSG_ROLE_UNSUPPORTED) {
+            meaning->is_handed_off || meaning->role == CSG_ROLE_UNKNOWN ||
+            meaning->role == CSG_ROLE_UNSUPPORTED) {
             i = nodes[i].end;
             continue;
         }

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -42,6 +43,21 @@ static bool read_sized(int fd, struct csg_bytes *bytes)
         return false;
     }
     return csg_file_read_all(fd, bytes);
+}
+
+char *csg_folder_make(void)
+{
+    const char *parent = getenv("TMPDIR");
+    const char *used = parent && parent[0] == '/' ? parent : "/tmp";
+    const size_t size = strlen(used) + sizeof "/csgcast-XXXXXX";
+    char *name = malloc(size);
+    if (!name)
+        return NULL;
+    snprintf(name, size, "%s/csgcast-XXXXXX", used);
+    if (mkdtemp(name))
+        return name;
+    free(name);
+    return NULL;
 }
 
 bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log)

@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "scene/build.h"
 #include "scene/edits.h"
+#include "scene/handoff.h"
 #include "scene/openscad.h"
 
 static const struct csgcast_scene_params default_params;
@@ -25,29 +26,69 @@ static bool ends_with(const char *path, const char *ending)
     return true;
 }
 
-static bool fill(struct csgcast_scene *scene, const char *text, size_t size,
-                 const struct csgcast_scene_params *params, struct csg_origins *origins,
-                 struct csg_report *report)
+/* Subtrees handed to openscad may turn out to be in others that need it as well. */
+enum { max_rounds = 16 };
+
+/* One scene from the nodes. NULL: memory is out, a message was given. */
+static struct csgcast_scene *build(const struct csg_document *document,
+                                   const struct csgcast_scene_params *params,
+                                   struct csg_origins *origins, struct csg_handoff *handoff,
+                                   struct csg_report *report)
+{
+    struct csgcast_scene *scene = csg_scene_create(&report->to, report->file);
+    if (scene && csg_build(scene, document, params, origins, handoff, report))
+        return scene;
+    csgcast_scene_destroy(scene);
+    return NULL;
+}
+
+/* Builds until nothing more is wanted from openscad; what earlier rounds said no longer holds. */
+static struct csgcast_scene *build_all(const struct csg_document *document,
+                                       const struct csgcast_scene_params *params,
+                                       struct csg_origins *origins, struct csg_handoff *handoff,
+                                       struct csg_report *report)
+{
+    for (int round = 0;; round++) {
+        csg_report_hold(report);
+        struct csgcast_scene *scene =
+            build(document, params, origins, round < max_rounds ? handoff : NULL, report);
+        if (!scene || report->num[CSGCAST_LOG_ERROR] > 0 || !csg_handoff_is_wanted(handoff)) {
+            csg_report_release(report);
+            return scene;
+        }
+        csg_report_drop(report);
+        csgcast_scene_destroy(scene);
+        if (origins)
+            csg_origins_finish(origins);
+        if (!csg_handoff_run(handoff, report))
+            return NULL;
+    }
+}
+
+static struct csgcast_scene *read_document(const char *text, size_t size,
+                                           const struct csgcast_scene_params *params,
+                                           struct csg_origins *origins, struct csg_report *report)
 {
     struct csg_document document;
-    const bool done = csg_document_parse(&document, size > 0 ? text : "", size, report) &&
-                      csg_build(scene, &document, params, origins, report);
+    struct csg_handoff handoff;
+    struct csgcast_scene *scene = NULL;
+    csg_handoff_init(&handoff, params, &document);
+    if (csg_document_parse(&document, size > 0 ? text : "", size, report))
+        scene = build_all(&document, params, origins, &handoff, report);
+    csg_handoff_finish(&handoff);
     csg_document_finish(&document);
-    return csg_report_finish(report) && done;
+    return scene;
 }
 
 static struct csgcast_scene *read_text(const char *text, size_t size,
                                        const struct csgcast_scene_params *params,
                                        struct csg_origins *origins)
 {
-    const char *name = params->name ? params->name : "<memory>";
     const struct csg_log log = {params->log, params->log_user};
     struct csg_report report;
-    struct csgcast_scene *scene = csg_scene_create(&log, name);
-    if (!scene)
-        return NULL;
-    csg_report_init(&report, &log, name);
-    if (fill(scene, text, size, params, origins, &report))
+    csg_report_init(&report, &log, params->name ? params->name : "<memory>");
+    struct csgcast_scene *scene = read_document(text, size, params, origins, &report);
+    if (csg_report_finish(&report))
         return scene;
     csgcast_scene_destroy(scene);
     return NULL;

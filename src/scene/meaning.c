@@ -3,6 +3,10 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "scene/handoff.h"
 
 /* Characters of a name that a message quotes. */
 enum { shown_length = 40 };
@@ -37,17 +41,6 @@ static void select_root(struct csg_builder *builder)
     }
 }
 
-static void report_unsupported(struct csg_builder *builder, uint32_t node)
-{
-    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
-    const char *outcome = builder->skip_unsupported ? "left out with all that is in it"
-                                                    : "--skip-unsupported draws the rest";
-    csg_report_print(builder->report,
-                     builder->skip_unsupported ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
-                     CSGCAST_MESSAGE_UNSUPPORTED, parsed->place, "%.*s is not supported yet; %s",
-                     (int)parsed->name_length, name_of(builder, node), outcome);
-}
-
 static void report_unknown(struct csg_builder *builder, uint32_t node)
 {
     const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
@@ -70,7 +63,12 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
     const size_t length = builder->document->nodes.data[node].name_length;
     const char *name = name_of(builder, node);
     const struct csg_node_ops *ops = csg_node_find(name, length);
+    const struct csg_handed_off *handed_off =
+        builder->handoff ? csg_handoff_find(builder->handoff, node) : NULL;
     struct csg_meaning meaning = {.role = CSG_ROLE_UNKNOWN, .leaf = CSG_NO_LEAF};
+    if (handed_off)
+        ops = csg_handoff_ops(handed_off->dimension);
+    meaning.is_handed_off = handed_off != NULL;
     if (ops) {
         meaning.role = (uint8_t)ops->role;
         meaning.kind = (uint8_t)ops->kind;
@@ -81,6 +79,27 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
         meaning.dimension = 3;
     }
     return meaning;
+}
+
+static bool is_drawing_file(const struct csg_arguments *arguments)
+{
+    const struct csg_args args = {
+        .args = arguments->args.data, .num = arguments->args.num, .parameters = "file"};
+    const struct csg_value *file = csg_args_find(&args, "file");
+    const char *dot = file && file->type == CSG_VALUE_STRING ? strrchr(file->string, '.') : NULL;
+    return dot && (strcasecmp(dot, ".dxf") == 0 || strcasecmp(dot, ".svg") == 0);
+}
+
+/* A drawing or a mesh: the ending of the file tells. */
+static uint8_t dimension_of_import(const struct csg_builder *builder, uint32_t node)
+{
+    struct csg_arguments arguments = {0};
+    uint8_t dimension = 3;
+    if (!builder->document->nodes.data[node].malformed &&
+        csg_document_arguments(builder->document, node, &arguments, builder->report))
+        dimension = is_drawing_file(&arguments) ? 2 : 3;
+    csg_arguments_finish(&arguments);
+    return dimension;
 }
 
 /* What a highlighted union holds needs no highlight of its own; the operands of a difference or
@@ -104,14 +123,16 @@ static uint32_t assign_meaning(struct csg_builder *builder, uint32_t node)
     const bool is_covered = meaning->is_covered;
     *meaning = meaning_of(builder, node);
     meaning->is_covered = is_covered;
+    if (meaning->role == CSG_ROLE_UNSUPPORTED && meaning->dimension == 0 &&
+        parsed->name_length == 6 && memcmp(name_of(builder, node), "import", 6) == 0)
+        meaning->dimension = dimension_of_import(builder, node);
     cover_children(builder, node);
-    if (meaning->role == CSG_ROLE_UNSUPPORTED || meaning->role == CSG_ROLE_UNKNOWN) {
-        if (meaning->role == CSG_ROLE_UNSUPPORTED)
-            report_unsupported(builder, node);
-        else
-            report_unknown(builder, node);
+    if (meaning->role == CSG_ROLE_UNKNOWN) {
+        report_unknown(builder, node);
         return builder->skip_unsupported ? parsed->end : node + 1;
     }
+    if (meaning->is_handed_off)
+        return parsed->end;
     if (meaning->role == CSG_ROLE_SOLID && parsed->end > node + 1) {
         csg_report_warning(builder->report, CSGCAST_MESSAGE_SCENE, parsed[1].place,
                            "%s is a solid and has no children; they are left out",

@@ -3,12 +3,31 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* When memory is out the message is passed on at once: late is worse than early. */
+static bool keep(struct csg_report *report, enum csgcast_log_level level, enum csgcast_message id,
+                 const char *text)
+{
+    const size_t size = strlen(text) + 1;
+    const struct csg_held_message message = {level, id, malloc(size)};
+    if (!message.text)
+        return false;
+    memcpy(message.text, text, size);
+    if (csg_array_push(&report->held, message))
+        return true;
+    free(message.text);
+    return false;
+}
 
 static void count_and_pass_on(void *user, enum csgcast_log_level level, enum csgcast_message id,
                               const char *text)
 {
     struct csg_report *report = user;
-    if (report->num[level]++ < CSG_REPORT_SHOWN || level == CSGCAST_LOG_INFO)
+    if (report->num[level]++ >= CSG_REPORT_SHOWN && level != CSGCAST_LOG_INFO)
+        return;
+    if (!report->is_holding || !keep(report, level, id, text))
         csg_log_print(&report->to, level, id, "%s", text);
 }
 
@@ -32,6 +51,36 @@ void csg_report_print(struct csg_report *report, enum csgcast_log_level level,
     va_end(args);
     csg_log_print(&report->log, level, id, "%s:%u:%u: %s", report->file, (unsigned)place.line,
                   (unsigned)place.column, text);
+}
+
+void csg_report_hold(struct csg_report *report)
+{
+    report->is_holding = true;
+    memcpy(report->num_before, report->num, sizeof report->num);
+}
+
+static void end_holding(struct csg_report *report)
+{
+    for (size_t i = 0; i < report->held.num; i++)
+        free(report->held.data[i].text);
+    free(report->held.data);
+    report->held.data = NULL;
+    report->held.num = report->held.capacity = 0;
+    report->is_holding = false;
+}
+
+void csg_report_release(struct csg_report *report)
+{
+    for (size_t i = 0; i < report->held.num; i++)
+        csg_log_print(&report->to, report->held.data[i].level, report->held.data[i].id, "%s",
+                      report->held.data[i].text);
+    end_holding(report);
+}
+
+void csg_report_drop(struct csg_report *report)
+{
+    memcpy(report->num, report->num_before, sizeof report->num);
+    end_holding(report);
 }
 
 static void print_rest(struct csg_report *report, enum csgcast_log_level level, const char *what)

@@ -31,7 +31,8 @@ struct csg_source *csg_source_create(char *text, size_t size,
     const bool named = copy_string(params->name, &source->name, &source->params.name);
     const bool placed = copy_string(params->directory, &source->directory, &source->params.directory);
     const bool run = copy_string(params->openscad, &source->openscad, &source->params.openscad);
-    if (named && placed && run)
+    const bool cached = copy_string(params->cache, &source->cache, &source->params.cache);
+    if (named && placed && run && cached)
         return source;
     csg_source_destroy(source);
     return NULL;
@@ -45,5 +46,6 @@ void csg_source_destroy(struct csg_source *source)
     free(source->name);
     free(source->directory);
     free(source->openscad);
+    free(source->cache);
     free(source);
 }

@@ -11,7 +11,7 @@ struct csg_source {
     char *text; /* owned */
     size_t size;
     struct csgcast_scene_params params; /* without defines and log: the text is flattened */
-    char *name, *directory, *openscad;  /* those of params, owned; NULL as there */
+    char *name, *directory, *openscad, *cache;  /* those of params, owned; NULL as there */
 };
 
 /* Takes text over, also where it fails. NULL: out of memory. */

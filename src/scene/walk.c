@@ -5,11 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/handoff.h"
 #include "scene/transforms.h"
 
 const struct csg_node_ops *csg_walk_ops(const struct csg_walk *walk, uint32_t node)
 {
     const struct csg_parsed_node *parsed = csg_walk_node(walk, node);
+    const struct csg_meaning *meaning = &walk->builder->meanings[node];
+    if (meaning->is_handed_off)
+        return csg_handoff_ops(meaning->dimension);
     return csg_node_find(walk->builder->document->text + parsed->at, parsed->name_length);
 }
 
@@ -45,10 +49,12 @@ bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const
 {
     const struct csg_builder *builder = walk->builder;
     const struct csg_parsed_node *parsed = csg_walk_node(walk, node);
-    if (!csg_document_arguments(builder->document, node, &walk->arguments, builder->report))
+    const bool is_handed_off = builder->meanings[node].is_handed_off; /* then it has none */
+    if (!is_handed_off &&
+        !csg_document_arguments(builder->document, node, &walk->arguments, builder->report))
         return false;
     *args = (struct csg_args){.args = walk->arguments.args.data,
-                              .num = walk->arguments.args.num,
+                              .num = is_handed_off ? 0 : walk->arguments.args.num,
                               .parameters = parameters,
                               .facets = builder->facets,
                               .log = &builder->report->log,
@@ -62,17 +68,12 @@ bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const
 
 void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
 {
-    const struct csg_builder *builder = walk->builder;
     char text[256];
     va_list args;
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    csg_report_print(builder->report,
-                     builder->skip_unsupported ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
-                     CSGCAST_MESSAGE_UNSUPPORTED, csg_walk_node(walk, node)->place, "%s; %s", text,
-                     builder->skip_unsupported ? "left out with all that is in it"
-                                               : "--skip-unsupported draws the rest");
+    csg_unsupported(walk->builder, node, text);
 }
 
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)

@@ -37,6 +37,7 @@ enum csg_kind {
     CSG_KIND_POLYHEDRON,
     CSG_KIND_HULL,
     CSG_KIND_MINKOWSKI,
+    CSG_KIND_OPENSCAD, /* what only openscad can evaluate, as a mesh */
     CSG_NUM_LEAF_KINDS
 };
 

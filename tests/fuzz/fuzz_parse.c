@@ -20,7 +20,7 @@ static void ignore_message(void *user, enum csgcast_log_level level, enum csgcas
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    struct csgcast_scene_params params = {.log = ignore_message};
+    struct csgcast_scene_params params = {.log = ignore_message, .no_handoff = true};
     if (size == 0)
         return 0;
     params.facets = (enum csgcast_facets)(data[0] % 3);

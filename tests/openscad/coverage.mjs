@@ -59,7 +59,7 @@ function findScenes(path) {
     if (!statSync(path).isDirectory())
         return [path];
     return readdirSync(path, { recursive: true }).filter(isScene).map((name) => join(path, name))
-        .filter((file) => statSync(file).isFile()).sort();
+        .filter((file) => statSync(file, { throwIfNoEntry: false })?.isFile()).sort();
 }
 
 // The splitmix32 sequence: the same sample on every machine.

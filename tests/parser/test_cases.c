@@ -33,7 +33,7 @@ static void read_scene(const char *path, const struct csg_bytes *bytes, struct t
     static const char skip[] = "// skip-unsupported";
     struct text messages = {0};
     struct csgcast_scene_params params = {
-        .name = base_name(path), .log = add_message, .log_user = &messages};
+        .name = base_name(path), .log = add_message, .log_user = &messages, .no_handoff = true};
     params.skip_unsupported =
         bytes->num > sizeof skip && memcmp(bytes->data, skip, sizeof skip - 1) == 0;
     struct csgcast_scene *scene = csg_scene_read(bytes->data, bytes->num, &params);

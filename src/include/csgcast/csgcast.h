@@ -69,6 +69,7 @@ enum csgcast_message {
     CSGCAST_MESSAGE_SHADER,      /* a shader does not compile: a bug here or in the driver */
     CSGCAST_MESSAGE_ARGUMENT,    /* a parameter of a call is out of range */
     CSGCAST_MESSAGE_IMAGE,       /* an image cannot be encoded or written */
+    CSGCAST_MESSAGE_PROGRESS,    /* INFO: how far work is that takes more than a second */
 };
 
 /* text: one message, no newline at its end, valid during the call only. */
@@ -94,6 +95,10 @@ struct csgcast_scene_params {
                                   * path; the working directory for text in memory and "-" */
     const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
     bool editable;               /* edits will follow: small objects keep what does not show */
+    bool no_handoff; /* subtrees that only openscad can evaluate are unsupported instead */
+    const char *cache;           /* directory for what openscad made of them; "": none. NULL:
+                                  * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
+    uint64_t cache_size;         /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
     csgcast_log_fn *log;         /* NULL: standard error */
     void *log_user;              /* passed to log */
 };
@@ -211,6 +216,27 @@ CSGCAST_API bool csgcast_scene_set_parameters(struct csgcast_scene *scene, size_
                                               const char *parameters);
 CSGCAST_API bool csgcast_scene_set_color(struct csgcast_scene *scene, size_t leaf,
                                          const float color[4]);
+
+/* ---- the cache ----------------------------------------------------------------------------- */
+
+/*
+ * The cache on disk keeps what openscad made of subtrees that only it can evaluate, by content: the
+ * text of the subtree, the files that it reads, openscad's version. What was not used for the
+ * longest time is removed when it becomes larger than its bound. It may be cleared or deleted at
+ * any time, and several processes may use it at once.
+ */
+struct csgcast_cache_info {
+    char path[4096];    /* the directory; empty: there is none, as no home directory is known */
+    size_t num_entries;
+    uint64_t size;      /* bytes in use */
+    uint64_t limit;     /* bytes allowed by the environment */
+};
+
+/* directory: as cache in struct csgcast_scene_params. false: nothing was ever stored there. */
+CSGCAST_API bool csgcast_cache_get_info(const char *directory, struct csgcast_cache_info *info);
+
+/* Removes all entries, nothing else. false: some of them cannot be removed. */
+CSGCAST_API bool csgcast_cache_clear(const char *directory);
 
 /* ---- camera and view ---------------------------------------------------------------------- */
 

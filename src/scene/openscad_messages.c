@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/openscad.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "common/array.h"
+
+struct message_rule {
+    const char *begin; /* of a line */
+    enum csgcast_log_level level;
+};
+
+/* Lines that fit no rule say how far the work is; they are shown only where openscad failed. */
+static const struct message_rule rules[] = {
+    {"WARNING:", CSGCAST_LOG_WARNING},    {"FONT-WARNING:", CSGCAST_LOG_WARNING},
+    {"DEPRECATED:", CSGCAST_LOG_WARNING}, {"ERROR:", CSGCAST_LOG_WARNING},
+    {"Can't ", CSGCAST_LOG_WARNING},      {"ECHO:", CSGCAST_LOG_INFO},
+    {"TRACE:", CSGCAST_LOG_INFO},         {NULL, CSGCAST_LOG_ERROR},
+};
+
+/* After these openscad 2021.01 exits as if all were well, with what it had until then. */
+static const char *const fatal_errors[] = {"Assertion ", "Recursion detected", "exceeded limit"};
+
+static bool contains(const char *line, size_t length, const char *text)
+{
+    const size_t text_length = strlen(text);
+    size_t at = 0;
+    while (at + text_length <= length && memcmp(line + at, text, text_length) != 0)
+        at++;
+    return at + text_length <= length;
+}
+
+static bool is_fatal(const char *line, size_t length)
+{
+    bool fatal = false;
+    for (size_t i = 0; i < sizeof fatal_errors / sizeof fatal_errors[0]; i++)
+        fatal |= contains(line, length, fatal_errors[i]);
+    return fatal;
+}
+
+/* Returns whether the line means that the scene is incomplete. */
+static bool pass_on_line(const struct csg_log *log, const char *prefix, const char *line,
+                         size_t length, bool failed)
+{
+    const struct message_rule *rule = rules;
+    while (rule->begin && strncmp(rule->begin, line, strlen(rule->begin)) != 0)
+        rule++;
+    if (length == 0 || (!rule->begin && !failed))
+        return false;
+    const bool is_error = rule->begin && strcmp(rule->begin, "ERROR:") == 0;
+    const bool fatal = is_error && is_fatal(line, length);
+    csg_log_print(log, fatal || (is_error && failed) ? CSGCAST_LOG_ERROR : rule->level,
+                  CSGCAST_MESSAGE_OPENSCAD, "%sopenscad: %.*s", prefix, (int)length, line);
+    return fatal;
+}
+
+bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct csg_bytes *messages,
+                          bool failed)
+{
+    bool is_incomplete = false;
+    if (!csg_array_push(messages, '\0')) /* comparing a line's begin does not run out of it */
+        return !csg_log_memory(log);
+    messages->num--;
+    const char *line = messages->data, *end = line + messages->num;
+    while (line < end) {
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
+        const size_t length = (size_t)((newline ? newline : end) - line);
+        is_incomplete |=
+            pass_on_line(log, prefix, line, length < INT16_MAX ? length : INT16_MAX, failed);
+        line = newline ? newline + 1 : end;
+    }
+    return is_incomplete;
+}
