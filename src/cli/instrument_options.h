@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_CLI_COMPARE_OPTIONS_H
-#define CSG_CLI_COMPARE_OPTIONS_H
+#ifndef CSG_CLI_INSTRUMENT_OPTIONS_H
+#define CSG_CLI_INSTRUMENT_OPTIONS_H
 
-/* The options of `csgcast compare`; each function is the set of a struct csg_option. */
+/* The options of `csgcast compare` and `report`; each function is the set of a struct csg_option. */
 
 #include "options.h"
 
@@ -18,5 +18,10 @@ const char *csg_set_min_iou(struct csg_cli_options *options, const char *value);
 const char *csg_set_max_depth(struct csg_cli_options *options, const char *value);
 const char *csg_set_max_depth_p99(struct csg_cli_options *options, const char *value);
 const char *csg_set_max_normal_p99(struct csg_cli_options *options, const char *value);
+
+/* Of `csgcast report`. */
+const char *csg_set_quick(struct csg_cli_options *options, const char *value);
+const char *csg_set_limit(struct csg_cli_options *options, const char *value);
+const char *csg_set_wasm(struct csg_cli_options *options, const char *value);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "compare_options.h"
+#include "instrument_options.h"
 
 #include "values.h"
 
@@ -66,4 +66,24 @@ const char *csg_set_max_depth_p99(struct csg_cli_options *options, const char *v
 const char *csg_set_max_normal_p99(struct csg_cli_options *options, const char *value)
 {
     return set_number(value, 180, &options->compare.limits.normal_p99, "degrees from 0 to 180");
+}
+
+const char *csg_set_quick(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->report.quick = true;
+    return NULL;
+}
+
+const char *csg_set_limit(struct csg_cli_options *options, const char *value)
+{
+    return csg_value_double(value, &options->report.limit) && options->report.limit > 0
+               ? NULL
+               : "seconds above 0";
+}
+
+const char *csg_set_wasm(struct csg_cli_options *options, const char *value)
+{
+    options->report.wasm = value;
+    return *value ? NULL : "a folder";
 }
