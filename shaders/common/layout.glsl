@@ -23,6 +23,22 @@
 #define CSG_RECORD_START 16   /* starts a new operand: do not combine */
 #define CSG_RECORD_PUSH 32    /* ... and keep the operand before it on the stack */
 #define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
+#define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
+
+/*
+ * A surface's record has lists of faces by cell, a square of pixels; all places count from the header.
+ *     header       texels that follow, 0, flags, attribute block / 4
+ *     grid         the first pixel's corner, from the reference pixel; cells a pixel; cells a row
+ *     start        turns of the surface round the eye; the longest list
+ *     cells        place of the list; how many faces in it cover the cell, and how many cut it
+ *     normals      of the faces in any list, as in an attribute block
+ *     lists        of a face that covers: c0 cu cv of its plane, place of its normal, negative where
+ *                  the ray leaves by it; of one that cuts: the same, then three edges
+ * An edge is from y and to y, its lower end's x and its slope; from and to are equal where there is
+ * none. y and x count from the first pixel's corner.
+ */
+#define CSG_SURFACE_CELLS 3 /* place of the first */
+#define CSG_SURFACE_EDGES 3 /* of a face that cuts */
 
 /* Operands of different nesting that wait at once. The deepest operand of a node comes first, so
  * this holds trees of 2^32 leaves. */

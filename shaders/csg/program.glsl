@@ -4,9 +4,6 @@
  * and a stack. dual asks for the complement of the tree: where does the solid end?
  */
 
-/* Turns of loops so far. A program that runs out of them says so, and the pixel is cast on the CPU. */
-int csg_turns = 0;
-
 /* The leaf whose record is at p; moves p past it. */
 void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_real2 gap)
 {
@@ -34,6 +31,44 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_re
 #endif
 }
 
+/* Where, at k or later, the literal whose record is at p can be true at the soonest; moves p on. */
+csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negated)
+{
+#ifdef CSG_HAS_SURFACE
+    if ((int(head.z) & CSG_RECORD_SURFACE) != 0) {
+        csg_real next = csg_surface_next(p, d, k, negated);
+        p += 1 + int(head.x);
+        return next;
+    }
+#endif
+    csg_span span;
+    csg_real2 gap;
+    csg_read_leaf(p, head, d, span, gap);
+#ifdef CSG_HAS_GAP
+    return negated ? csg_outside_gap(k, span.key, gap) : csg_inside_gap(k, span.key, gap);
+#else
+    return negated ? csg_outside(k, span.key) : csg_inside(k, span.key);
+#endif
+}
+
+/* The leaf whose record is at p, just before and after k, and its face there; moves p on. */
+bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, out int face)
+{
+#ifdef CSG_HAS_SURFACE
+    if ((int(head.z) & CSG_RECORD_SURFACE) != 0) {
+        bvec2 at = csg_surface_around(p, d, k, face);
+        p += 1 + int(head.x);
+        return at;
+    }
+#endif
+    csg_span span;
+    csg_real2 gap;
+    csg_read_leaf(p, head, d, span, gap);
+    bvec2 around = csg_around_gap(k, span.key, gap);
+    face = csg_face_at_gap(k, span, gap, int(head.x) + int(head.y), !around.x);
+    return around;
+}
+
 /* The soonest k' >= k at which the tree can be true. */
 csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
 {
@@ -50,17 +85,10 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
             result = stack[--top];
             p++;
         } else {
-            csg_span span;
-            csg_real2 gap;
-            csg_read_leaf(p, head, d, span, gap);
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
             /* In an intersection nothing before what the operands so far ask for can be true. */
             csg_real at = all && (flags & CSG_RECORD_START) == 0 ? result : k;
-#ifdef CSG_HAS_GAP
-            value = negated ? csg_outside_gap(at, span.key, gap) : csg_inside_gap(at, span.key, gap);
-#else
-            value = negated ? csg_outside(at, span.key) : csg_inside(at, span.key);
-#endif
+            value = csg_record_next(p, head, d, at, negated);
         }
         if ((flags & CSG_RECORD_PUSH) != 0)
             stack[top++] = result;
@@ -89,12 +117,9 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
             result = stack[--top];
             p++;
         } else {
-            csg_span span;
-            csg_real2 gap;
-            csg_read_leaf(p, head, d, span, gap);
+            int face;
             bool negated = (flags & CSG_RECORD_NEGATED) != 0;
-            bvec2 around = csg_around_gap(k, span.key, gap);
-            int face = csg_face_at_gap(k, span, gap, int(head.x) + int(head.y), !around.x);
+            bvec2 around = csg_record_around(p, head, d, k, face);
             int leaf = int(csg_texel(int(head.w) * 4 + CSG_ATTRIBUTE_LEAF).x);
             value = csg_literal(negated != dual ? not(around) : around,
                                 leaf + (negated ? CSG_RANK_NEGATED : 0), ivec2(record, face));

@@ -33,6 +33,10 @@ void main()
     int face = plane ? int(abs(csg_texel(place.x + 1 + place.y * CSG_TERM_TEXELS).w)) - 1 : 0;
 #endif
     int normal = int(head.w) * 4 + CSG_ATTRIBUTE_NORMALS + face;
+#ifdef CSG_HAS_SURFACE
+    if ((int(head.z) & CSG_RECORD_SURFACE) != 0)
+        normal = place.x + place.y;
+#endif
     gl_FragDepth = csg_depth(k) - csg_depth_bias;
 #ifdef CSG_DOUBLE
     if (!plane) /* written from near it, so that float keeps it */

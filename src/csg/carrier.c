@@ -6,6 +6,7 @@
 
 #include "csg/carrier_index.h"
 #include "csg/object.h"
+#include "mesh/surface.h"
 #include "solids/sample.h"
 
 /* Points of a quadric's surface that decide whether it lies on another one; nine fix a quadric. */
@@ -168,16 +169,62 @@ static int8_t carrier_sheet(const struct csg_shape *shape, const struct csg_quad
     return (int8_t)(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < 0 ? -shape->sheet : shape->sheet);
 }
 
+static bool assign_plane(struct builder *builder, const struct csg_plane *plane,
+                         const struct extent *extent, bool alone, struct csg_face *face)
+{
+    if (alone || !find_plane(builder, plane, extent, face))
+        return add_plane(builder, plane, extent, alone, face);
+    builder->carriers->num_shared++;
+    return true;
+}
+
+struct ranked_plane {
+    double radius;
+    uint32_t plane;
+};
+
+static int compare_planes(const void *a, const void *b)
+{
+    const struct ranked_plane *x = a, *y = b;
+    if (x->radius != y->radius)
+        return x->radius > y->radius ? -1 : 1;
+    return x->plane < y->plane ? -1 : x->plane > y->plane;
+}
+
+/* Each face of a surface counts where it is, the largest first. */
+static bool assign_surface(struct builder *builder, uint32_t leaf, bool alone)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const struct csg_surface *surface = shape->surface;
+    struct csg_face *faces = &builder->carriers->faces[builder->carriers->face_begin[leaf]];
+    struct csg_surface_extent *extents = csg_surface_extents(surface);
+    struct ranked_plane *ranked = malloc((surface->planes.num + 1) * sizeof *ranked);
+    bool ok = extents && ranked;
+    for (uint32_t i = 0; i < surface->planes.num && ok; i++)
+        ranked[i] = (struct ranked_plane){extents[i].radius, i};
+    if (ok && surface->planes.num > 1)
+        qsort(ranked, surface->planes.num, sizeof *ranked, compare_planes);
+    for (size_t i = 0; i < surface->planes.num && ok; i++) {
+        const uint32_t plane = ranked[i].plane;
+        const struct extent extent = {extents[plane].center, extents[plane].radius,
+                                      extents[plane].radius, shape->rounding};
+        ok = assign_plane(builder, &surface->planes.data[plane], &extent, alone, &faces[plane]);
+    }
+    free(extents);
+    free(ranked);
+    return ok;
+}
+
 static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
 {
     struct csg_carriers *carriers = builder->carriers;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const struct extent extent = leaf_extent(builder, leaf);
+    if (shape->surface)
+        return assign_surface(builder, leaf, alone);
     for (size_t i = 0; i < shape->num_planes; i++) {
         struct csg_face *face = &carriers->faces[carriers->face_begin[leaf] + i];
-        if (!alone && find_plane(builder, &shape->planes[i], &extent, face))
-            carriers->num_shared++;
-        else if (!add_plane(builder, &shape->planes[i], &extent, alone, face))
+        if (!assign_plane(builder, &shape->planes[i], &extent, alone, face))
             return false;
     }
     if (!shape->has_quadric)
@@ -220,14 +267,16 @@ static bool rank_object(struct ranked_leaves *ranked, const struct builder *buil
         if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || assigned[leaf])
             continue;
         assigned[leaf] = true;
-        const struct extent extent = leaf_extent(builder, leaf);
-        ok = csg_array_push(ranked, ((struct ranked_leaf){extent.radius, leaf}));
+        const double radius =
+            scene->leaves[leaf].shape.surface ? 0 : leaf_extent(builder, leaf).radius;
+        ok = csg_array_push(ranked, ((struct ranked_leaf){radius, leaf}));
     }
     return ok;
 }
 
 /* The objects' leaves that have no carriers yet, the largest first: its faces are the least turned
- * by rounding, so they become the carriers. A leaf can be in two layers; its first object counts. */
+ * by rounding, so they become the carriers. A surface's faces are small and come last. A leaf can be
+ * in two layers; its first object counts. */
 static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool *assigned)
 {
     struct ranked_leaves ranked = {0};
@@ -260,11 +309,21 @@ static bool start_index(struct builder *builder)
     builder->radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
     double slack = 0;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct extent extent = leaf_extent(builder, builder->leaves.data[i]);
+        const uint32_t leaf = builder->leaves.data[i];
+        const struct extent extent = leaf_extent(builder, leaf);
         const double length = 2 * tolerance(&extent, extent.rounding);
-        slack = fmax(slack, length * (1 + fmin(builder->radius / extent.radius, MAX_LEVER)));
+        const double lever = builder->scene->leaves[leaf].shape.surface
+                                 ? MAX_LEVER
+                                 : builder->radius / extent.radius;
+        slack = fmax(slack, length * (1 + fmin(lever, MAX_LEVER)));
     }
     return csg_index_start(&builder->index, center, builder->radius, slack);
+}
+
+/* A surface's own faces may coincide where it touches itself. */
+static bool merges_alone(const struct csg_leaf *leaf)
+{
+    return leaf->shape.surface && leaf->shape.surface->planes.num <= CSG_SHARED_MAX_LEAVES;
 }
 
 /* Objects [first, last): coincidence is looked for among all their leaves. */
@@ -272,7 +331,8 @@ static bool assign_objects(struct builder *builder, size_t first, size_t last, b
 {
     if (!rank_leaves(builder, first, last, assigned))
         return false;
-    const bool alone = builder->leaves.num == 1;
+    const bool alone =
+        builder->leaves.num == 1 && !merges_alone(&builder->scene->leaves[builder->leaves.data[0]]);
     if (!alone && !start_index(builder))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
@@ -324,7 +384,8 @@ static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *
     uint32_t total = 0;
     for (size_t i = 0; i < num; i++) {
         carriers->face_begin[i] = total;
-        total += (uint32_t)scene->leaves[i].shape.num_planes;
+        const struct csg_shape *shape = &scene->leaves[i].shape;
+        total += (uint32_t)(shape->surface ? shape->surface->planes.num : shape->num_planes);
     }
     carriers->face_begin[num] = total;
     carriers->faces = calloc(total + 1, sizeof *carriers->faces);

@@ -21,7 +21,7 @@ struct csg_program {
     size_t num, capacity;
 };
 
-/* CSG_RECORD_NEGATED, _QUADRIC and _GAP of a leaf's node. */
+/* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC and _GAP of a leaf's node. */
 uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node);
 
 /* Appends the steps of the subtree at nodes [begin, end) of tree. false: out of memory. */

@@ -9,6 +9,7 @@
 #include "csg/object.h"
 #include "csg/program.h"
 #include "csg/sharpness.h"
+#include "mesh/surface.h"
 
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)
 {
@@ -158,6 +159,16 @@ static bool simplify(struct csgcast_scene *scene, struct csg_tree *tree, struct 
            csg_tree_prune(scene, tree);
 }
 
+static bool build_surfaces(struct csgcast_scene *scene)
+{
+    for (size_t i = 0; i < scene->num_leaves; i++) {
+        struct csg_surface *surface = scene->leaves[i].shape.surface;
+        if (surface && surface->nodes.num == 0 && !csg_surface_build(surface))
+            return false;
+    }
+    return true;
+}
+
 static bool finish(struct csgcast_scene *scene)
 {
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
@@ -170,7 +181,7 @@ static bool finish(struct csgcast_scene *scene)
         free(scene->trees[layer].data);
         scene->trees[layer] = kept[layer];
     }
-    if (!ok)
+    if (!ok || !build_surfaces(scene))
         return false;
     scene->objects = calloc(1, sizeof *scene->objects);
     if (!scene->objects || !csg_objects_split(scene, scene->objects))

@@ -127,6 +127,9 @@ static double place_of_plane(const struct csg_plane *plane)
 static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene, uint32_t leaf)
 {
     const struct csg_carriers *carriers = scene->carriers;
+    /* The faces of a surface do not reach to where their planes meet. */
+    if (scene->leaves[leaf].shape.surface)
+        return true;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const uint32_t carrier = carriers->faces[i].carrier;
         const double place = place_of_plane(&carriers->planes[carrier]);

@@ -155,12 +155,14 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     struct csg_draw draw = {.object = index, .layer = object->layer, .paint = object->paint};
     draw.translucent = packer->terms.translucent;
     draw.single = packer->terms.leaves.num == 1 &&
-                  !(packer->terms.leaves.data[0].flags & (CSG_RECORD_GAP | CSG_RECORD_NEGATED));
+                  !(packer->terms.leaves.data[0].flags &
+                    (CSG_RECORD_GAP | CSG_RECORD_NEGATED | CSG_RECORD_SURFACE));
     draw.stiff = packer->terms.stiff;
     draw.precise = packer->terms.precise;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
-    if (index != CSG_WHOLE_LAYER && (packer->params->textbook ||
-                                     packer->params->whole(index, packer->params->user)))
+    if (index != CSG_WHOLE_LAYER && packer->terms.views.num == 0 &&
+        (packer->params->textbook ||
+         packer->params->whole(index, packer->params->user)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
     const double start = csg_clock_ms();

@@ -28,6 +28,7 @@ struct csg_draw {
     bool around_eye;  /* the eye can be inside */
     bool stiff;       /* some quadric needs the other form in this view */
     bool precise;     /* drawn in double: the records hold low parts */
+    bool surface;     /* some record is that of a surface of triangles */
     bool tile;        /* a tile of the object: its records differ from the object's steps */
 };
 

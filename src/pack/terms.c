@@ -15,8 +15,17 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
     return terms->index && terms->known;
 }
 
+static void drop_views(struct csg_terms *terms)
+{
+    for (size_t i = 0; i < terms->views.num; i++)
+        csg_surface_view_finish(&terms->views.data[i]);
+    terms->views.num = 0;
+}
+
 void csg_terms_finish(struct csg_terms *terms)
 {
+    drop_views(terms);
+    free(terms->views.data);
     free(terms->leaves.data);
     free(terms->texels.data);
     free(terms->index);
@@ -152,13 +161,26 @@ static void put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[
     texels[num_planes + 1][3] = -1; /* the constant of the silhouette conic */
 }
 
+static bool add_view(struct csg_terms *terms, const struct csg_node *node,
+                     struct csg_leaf_terms *leaf)
+{
+    struct csg_surface_view view;
+    leaf->view = (uint32_t)terms->views.num;
+    if (!csg_array_reserve(&terms->views, 1) ||
+        !csg_surface_view_init(&view, &terms->frame->screen, terms->frame->at,
+                               &terms->scene->leaves[node->leaf].shape, node->leaf, node->spare))
+        return false;
+    terms->views.data[terms->views.num++] = view;
+    return true;
+}
+
 static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_node *node, const struct csg_rect *rect)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
     const uint32_t num_planes =
-        carriers->face_begin[node->leaf + 1] - carriers->face_begin[node->leaf];
+        shape->surface ? 0 : carriers->face_begin[node->leaf + 1] - carriers->face_begin[node->leaf];
     const uint32_t first_face = shape->has_quadric ? CSG_NORMAL_TERMS : 0;
     const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
@@ -176,9 +198,11 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
     leaf.num_entries = num_planes;
     leaf.flags = csg_node_flags(terms->scene, node);
+    if (shape->surface && !add_view(terms, node, &leaf))
+        return false;
     if (node->spare)
         put_nothing(num_planes, shape->has_quadric, texels);
-    else
+    else if (!shape->surface)
         leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
     leaf.num_exits = num_planes - leaf.num_entries;
     if (shape->has_quadric && !node->spare) {
@@ -196,6 +220,7 @@ static bool fill(struct csg_terms *terms, const struct csg_object *object,
 {
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
     terms->leaves.num = terms->texels.num = 0;
+    drop_views(terms);
     terms->translucent = terms->stiff = false;
     terms->error = 0;
     for (uint32_t i = object->begin; i < object->end; i++)
@@ -228,9 +253,7 @@ static bool add_pop(struct csg_terms *terms, const struct csg_step *step)
     return header != NULL;
 }
 
-/* A term's texel or, for programs in double, its texel and that of its low part. Returns what is
- * behind them. */
-static float *put_term(const struct csg_terms *terms, const double *term, float *to)
+float *csg_terms_put(const struct csg_terms *terms, const double *term, float *to)
 {
     for (int i = 0; i < 4; i++)
         to[i] = (float)term[i];
@@ -247,7 +270,7 @@ static uint32_t put_record_planes(const struct csg_terms *terms, const struct cs
     uint32_t num = 0;
     for (uint32_t i = begin; i < end; i++)
         if (!filter || filter->planes[i]) {
-            *to = put_term(terms, csg_terms_texel(terms, leaf, i), *to);
+            *to = csg_terms_put(terms, csg_terms_texel(terms, leaf, i), *to);
             num++;
         }
     return num;
@@ -271,7 +294,7 @@ bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
     const uint32_t exits =
         put_record_planes(terms, leaf, leaf->num_entries, num_planes, filter, &end);
     for (uint32_t i = 0; i < CSG_QUADRIC_TEXELS && quadric; i++)
-        end = put_term(terms, csg_terms_texel(terms, leaf, num_planes + i), end);
+        end = csg_terms_put(terms, csg_terms_texel(terms, leaf, num_planes + i), end);
     const uint32_t dropped =
         quadric || !(leaf->flags & CSG_RECORD_QUADRIC) ? 0 : CSG_RECORD_QUADRIC | CSG_RECORD_GAP;
     header[0] = (float)entries;

@@ -5,11 +5,13 @@
 /* The leaves of one object as this frame's shaders see them. */
 
 #include "pack/frame.h"
+#include "pack/surface.h"
 
 struct csg_leaf_terms {
     size_t texels;         /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
-    uint32_t flags;        /* CSG_RECORD_NEGATED, _QUADRIC, _GAP of the leaf */
+    uint32_t flags;        /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC, _GAP of the leaf */
+    uint32_t view;         /* of a surface: in csg_terms.views */
     size_t attributes;     /* attribute block / 4, in the frame's texels */
 };
 
@@ -19,6 +21,7 @@ struct csg_terms {
     const struct csg_frame_params *params;
     CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
     CSG_ARRAY(double) texels;                /* four numbers each */
+    CSG_ARRAY(struct csg_surface_view) views; /* of its leaves that are surfaces */
     uint32_t *index;  /* scene leaf -> leaves; valid for the object's leaves */
     uint8_t *known;   /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
@@ -42,6 +45,13 @@ static inline const struct csg_leaf_terms *csg_terms_of(const struct csg_terms *
     return &terms->leaves.data[terms->index[leaf]];
 }
 
+/* The view of a leaf that is a surface. */
+static inline const struct csg_surface_view *csg_terms_view(const struct csg_terms *terms,
+                                                            uint32_t leaf)
+{
+    return &terms->views.data[csg_terms_of(terms, leaf)->view];
+}
+
 /* The texel at place i of a leaf's. */
 static inline const double *csg_terms_texel(const struct csg_terms *terms,
                                            const struct csg_leaf_terms *leaf, size_t i)
@@ -56,9 +66,14 @@ struct csg_record_filter {
     bool quadric;
 };
 
-/* Appends a step's record to the frame. filter NULL: everything. */
+/* Appends a step's record to the frame, but for surfaces, which pack/surface_record.h does. filter
+ * NULL: everything. */
 bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
                           const struct csg_record_filter *filter);
+
+/* A term's texel or, for programs in double, its texel and that of its low part. Returns what is
+ * behind them. */
+float *csg_terms_put(const struct csg_terms *terms, const double *term, float *to);
 
 /* Room for num texels at the end of the frame's, zeroed; NULL: out of memory. */
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num);

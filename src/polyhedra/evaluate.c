@@ -260,9 +260,20 @@ static bool is_union(const struct csg_part *part)
     return true;
 }
 
+/* Bounded by triangles, which nothing here cuts into convex sets. */
+static bool has_surface(const struct csg_part *part)
+{
+    for (size_t i = 0; i < part->shapes.num; i++)
+        if (part->shapes.data[i].surface)
+            return true;
+    return false;
+}
+
 enum csg_hull_result csg_part_evaluate(const struct csg_part *part, struct csg_clusters *clusters)
 {
     enum csg_hull_result result = CSG_HULL_DONE;
+    if (has_surface(part))
+        return CSG_HULL_FLAT;
     if (!is_union(part))
         return evaluate_cells(part, clusters);
     for (size_t i = 0; i < part->tree.num && result == CSG_HULL_DONE; i++) {

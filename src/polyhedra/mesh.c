@@ -169,59 +169,6 @@ bool csg_mesh_clean(struct csg_mesh *mesh)
     return ok;
 }
 
-/* ---- gaps --------------------------------------------------------------------------------- */
-
-struct edge {
-    uint32_t low, high;
-    int8_t direction;
-};
-
-static int compare_edges(const void *a, const void *b)
-{
-    const struct edge *x = a, *y = b;
-    if (x->low != y->low)
-        return x->low < y->low ? -1 : 1;
-    return x->high < y->high ? -1 : x->high > y->high;
-}
-
-static size_t list_edges(const struct csg_mesh *mesh, struct edge *edges)
-{
-    size_t num = 0;
-    for (size_t i = 0; i < mesh->faces.num; i++) {
-        const struct csg_mesh_face *face = &mesh->faces.data[i];
-        for (uint32_t j = face->begin; j < face->end; j++) {
-            const uint32_t a = mesh->corners.data[j];
-            const uint32_t b = mesh->corners.data[j + 1 < face->end ? j + 1 : face->begin];
-            edges[num++] = a < b ? (struct edge){a, b, 1} : (struct edge){b, a, -1};
-        }
-    }
-    return num;
-}
-
-bool csg_mesh_find_gap(const struct csg_mesh *mesh, uint32_t points[2], bool *out_of_memory)
-{
-    struct edge *edges = malloc((mesh->corners.num + 1) * sizeof *edges);
-    bool found = false;
-    *out_of_memory = edges == NULL;
-    if (!edges)
-        return false;
-    const size_t num = list_edges(mesh, edges);
-    if (num)
-        qsort(edges, num, sizeof *edges, compare_edges);
-    for (size_t i = 0; i < num && !found;) {
-        int sum = 0;
-        size_t j = i;
-        for (; j < num && compare_edges(&edges[i], &edges[j]) == 0; j++)
-            sum += edges[j].direction;
-        found = sum != 0;
-        points[0] = edges[i].low;
-        points[1] = edges[i].high;
-        i = j;
-    }
-    free(edges);
-    return found;
-}
-
 /* ---- winding ------------------------------------------------------------------------------ */
 
 /* Twice the tangent's angle is the solid angle of the triangle (Van Oosterom and Strackee 1983). */

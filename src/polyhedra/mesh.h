@@ -37,8 +37,14 @@ bool csg_mesh_clean(struct csg_mesh *mesh);
 bool csg_mesh_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *face,
                     struct csg_plane *plane);
 
-/* An edge that does not belong to two faces, in opposite directions; false when there is none. */
-bool csg_mesh_find_gap(const struct csg_mesh *mesh, uint32_t points[2], bool *out_of_memory);
+/* What keeps a mesh from being closed. */
+struct csg_mesh_gaps {
+    size_t num;         /* edges that do not belong to faces in opposite directions, pairwise */
+    uint32_t points[2]; /* the ends of one of them */
+};
+
+/* Turns faces over until neighbours agree on which side is out. false: out of memory. */
+bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps);
 
 /* Times that the surface goes round p. */
 double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);
@@ -54,5 +60,8 @@ enum csg_mesh_result {
 
 /* Adds the union of convex solids that the mesh is. A flat mesh adds nothing. */
 enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_part *part);
+
+/* The mesh as one shape bounded by its faces (mesh/surface.h). false: out of memory. */
+bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape *shape);
 
 #endif

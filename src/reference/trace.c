@@ -22,6 +22,7 @@ struct csg_ray_scratch {
     CSG_ARRAY(struct list) lists; /* of the operands that wait for their node */
     CSG_ARRAY(struct event) events;
     CSG_ARRAY(bool) inside; /* per operand */
+    struct csg_surface_crossings surface;
 };
 
 struct csg_ray_scratch *csg_ray_scratch_create(void)
@@ -37,13 +38,40 @@ void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch)
     free(scratch->lists.data);
     free(scratch->events.data);
     free(scratch->inside.data);
+    free(scratch->surface.data);
+    free(scratch->surface.meetings.data);
     free(scratch);
+}
+
+/* Inside is where the surface's turns so far do not cancel. Behind a gap in it they never do. */
+static bool push_surface(struct csg_ray_scratch *scratch, const struct csgcast_scene *scene,
+                         const struct csg_node *node, const struct csg_ray *ray)
+{
+    const struct list list = {scratch->pool.num, node->negated};
+    struct csg_surface_crossings *surface = &scratch->surface;
+    int turns = 0;
+    bool inside = false;
+    if (!csg_cross_surface(scene, node->leaf, ray, surface))
+        return false;
+    for (size_t i = 0, j; i < surface->num; i = j) {
+        for (j = i; j < surface->num && surface->data[j].t == surface->data[i].t; j++)
+            turns += surface->data[j].turns;
+        if ((turns != 0) == inside)
+            continue;
+        inside = !inside;
+        const struct csg_crossing crossing = {surface->data[i].t, node->leaf, node->negated};
+        if (!csg_array_push(&scratch->pool, crossing))
+            return false;
+    }
+    return csg_array_push(&scratch->lists, list);
 }
 
 static bool push_leaf(struct csg_ray_scratch *scratch, const struct csgcast_scene *scene,
                       const struct csg_node *node, const struct csg_ray *ray)
 {
     struct csg_leaf_crossings leaf = {.num = 0};
+    if (scene->leaves[node->leaf].shape.surface && !node->spare)
+        return push_surface(scratch, scene, node, ray);
     if (!node->spare)
         leaf = csg_cross_leaf(scene, node->leaf, ray);
     const struct list list = {scratch->pool.num, leaf.inside != node->negated};
@@ -238,8 +266,11 @@ bool csg_reference_trace(const struct csgcast_scene *scene, uint8_t layer,
         return false;
     const struct csg_crossing *crossing = &best.crossing;
     *hit = (struct csg_hit){crossing->t, crossing->leaf, crossing->cut, layer, {0, 0, 0}};
+    const bool enters = best.enters != crossing->cut;
     const struct csg_vec3 normal =
-        csg_leaf_normal(scene, crossing->leaf, ray, crossing->t, best.enters != crossing->cut);
+        scene->leaves[crossing->leaf].shape.surface
+            ? csg_surface_normal(scene, crossing->leaf, ray, crossing->t, enters, &scratch->surface)
+            : csg_leaf_normal(scene, crossing->leaf, ray, crossing->t, enters);
     hit->normal = crossing->cut ? csg_scale(-1, normal) : normal;
     return true;
 }

@@ -111,7 +111,8 @@ static bool can_be_straight(struct chooser *chooser, const struct csg_structure 
 /* What a draw's program must do because of this view. */
 static int view_features(const struct csg_draw *draw)
 {
-    return (draw->stiff ? CSG_FEATURE_STIFF : 0) | (draw->precise ? CSG_FEATURE_DOUBLE : 0);
+    return (draw->stiff ? CSG_FEATURE_STIFF : 0) | (draw->precise ? CSG_FEATURE_DOUBLE : 0) |
+           (draw->surface ? CSG_FEATURE_SURFACE : 0);
 }
 
 static enum csg_resolver choose_resolver(struct chooser *chooser,
@@ -165,10 +166,12 @@ static bool may_give_up(const struct csg_frame *frame, const struct csg_draw *dr
     for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
         const float *head = frame->texels.data + 4 * (size_t)p;
         const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-        turns += 4 + (entries + 1) / 2 + (exits + 1) / 2;
-        leaves++;
+        const bool surface = flags & CSG_RECORD_SURFACE;
+        const double longest = surface ? (double)head[4 * 2 + 1] : 0;
+        turns += surface ? 5 + longest : 4 + (entries + 1) / 2 + (exits + 1) / 2;
+        leaves += surface ? 1 + longest / 4 : 1;
         const int terms = entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
-        p += 1 + (draw->precise ? 2 : 1) * terms;
+        p += 1 + (draw->precise && !surface ? 2 : 1) * terms;
     }
     return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
 }

@@ -82,6 +82,15 @@ static bool argument_error(const struct csgcast_renderer *renderer, const char *
     return false;
 }
 
+/* The textbook's formulas are for planes and quadrics. */
+static bool has_surface(const struct csgcast_scene *scene)
+{
+    for (size_t i = 0; i < scene->num_leaves; i++)
+        if (scene->leaves[i].shape.surface)
+            return true;
+    return false;
+}
+
 static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_request *request)
 {
     const struct csgcast_view *view = request->view;
@@ -99,6 +108,12 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
                       "variant 'double' needs GL_ARB_gpu_shader_fp64, which %s does not have: use "
                       "--backend=reference", renderer->gl->name);
         return false;
+    }
+    if (request->textbook && has_surface(request->scene)) {
+        csg_log_warning(&renderer->log, CSGCAST_MESSAGE_ARGUMENT,
+                        "the variant textbook has no surfaces of triangles: this picture is drawn "
+                        "as without it");
+        request->textbook = false;
     }
     return csgcast_view_resolve(request->scene, view, &request->frustum);
 }

@@ -161,6 +161,7 @@ static bool add_shapes(struct walk *walk, uint32_t node, const struct csg_space 
         if (!add_leaf(walk, &leaf))
             return false;
         part->shapes.data[i].planes = NULL; /* the leaf has them now */
+        part->shapes.data[i].surface = NULL;
     }
     return true;
 }

@@ -13,6 +13,7 @@ bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, 
     const struct csg_origin *origin = &scene->edits->origins.data[leaf];
     *patch = (struct csg_patch){.index = leaf, .leaf = scene->leaves[leaf], .origin = *origin};
     patch->leaf.shape.planes = patch->origin.shape.planes = NULL;
+    patch->leaf.shape.surface = patch->origin.shape.surface = NULL;
     patch->origin.parameters = NULL;
     if (origin->parameters) {
         const size_t size = strlen(origin->parameters) + 1;

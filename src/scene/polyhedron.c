@@ -58,33 +58,39 @@ bool csg_polyhedron_read(const struct csg_args *args, struct csg_mesh *mesh)
     return (ok && csg_mesh_clean(mesh)) || csg_log_memory(args->log);
 }
 
-static bool warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh)
+static void warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
+                         const struct csg_mesh_gaps *gaps)
 {
-    uint32_t edge[2];
-    bool out_of_memory;
-    if (csg_mesh_find_gap(mesh, edge, &out_of_memory))
-        csg_walk_warning(walk, node,
-                         "not closed: the edge from point %u to point %u does not belong to two "
-                         "faces in opposite directions; the picture may be wrong",
-                         (unsigned)edge[0], (unsigned)edge[1]);
-    return !out_of_memory || csg_log_memory(&walk->builder->report->log);
+    const struct csg_vec3 a = mesh->points.data[gaps->points[0]];
+    const struct csg_vec3 b = mesh->points.data[gaps->points[1]];
+    csg_walk_warning(walk, node,
+                     "not closed: %zu edge%s, one of them from [%g, %g, %g] to [%g, %g, %g], %s not "
+                     "belong to two faces in opposite directions; the picture may be wrong",
+                     gaps->num, gaps->num == 1 ? "" : "s", a.x, a.y, a.z, b.x, b.y, b.z,
+                     gaps->num == 1 ? "does" : "do");
+}
+
+static bool add_surface(const struct csg_mesh *mesh, bool open, struct csg_part *part)
+{
+    struct csg_shape shape;
+    return csg_mesh_to_shape(mesh, open, &shape) && csg_part_add(part, &shape, false);
 }
 
 bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *mesh,
                         struct csg_part *part)
 {
+    struct csg_mesh_gaps gaps;
     enum csg_mesh_result result = CSG_MESH_DONE;
-    bool ok = true;
-    if (mesh->faces.num > 0) {
-        ok = warn_of_gaps(walk, node, mesh);
-        result = csg_mesh_decompose(mesh, part);
-    }
+    if (mesh->faces.num == 0)
+        return true;
+    if (!csg_mesh_orient(mesh, &gaps))
+        return csg_log_memory(&walk->builder->report->log);
+    if (gaps.num)
+        warn_of_gaps(walk, node, mesh, &gaps);
+    result = csg_mesh_decompose(mesh, part);
     if (result == CSG_MESH_TOO_LARGE)
-        csg_walk_unsupported(walk, node,
-                             "%s: it has %zu faces; more than %d are not supported "
-                             "yet where it is not convex",
-                             csg_walk_ops(walk, node)->name, mesh->faces.num, CSG_MESH_MAX_FACES);
-    return ok && (result != CSG_MESH_NO_MEMORY || csg_log_memory(&walk->builder->report->log));
+        result = add_surface(mesh, gaps.num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
+    return result == CSG_MESH_DONE || csg_log_memory(&walk->builder->report->log);
 }
 
 bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct csg_args *args,

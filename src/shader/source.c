@@ -61,6 +61,7 @@ int csg_structure_features(const struct csg_structure *structure)
     for (size_t i = 0; i < structure->num; i++) {
         features |= structure->steps[i].flags & CSG_RECORD_QUADRIC ? CSG_FEATURE_QUADRIC : 0;
         features |= structure->steps[i].flags & CSG_RECORD_GAP ? CSG_FEATURE_GAP : 0;
+        features |= structure->steps[i].flags & CSG_RECORD_SURFACE ? CSG_FEATURE_SURFACE : 0;
     }
     return features;
 }
@@ -79,8 +80,9 @@ bool csg_structure_is_small(const struct csg_structure *structure)
     if (structure->num > CSG_STRAIGHT_MAX_STEPS)
         return false;
     for (size_t i = 0; i < structure->num; i++)
-        if (!(structure->steps[i].flags & CSG_RECORD_POP) &&
-            num_planes(structure, i) > CSG_STRAIGHT_MAX_PLANES)
+        if (structure->steps[i].flags & CSG_RECORD_SURFACE ||
+            (!(structure->steps[i].flags & CSG_RECORD_POP) &&
+             num_planes(structure, i) > CSG_STRAIGHT_MAX_PLANES))
             return false;
     return true;
 }
@@ -133,6 +135,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
     if (features & CSG_FEATURE_GAP)
         csg_text_add(&fragment, "#define CSG_HAS_GAP\n");
+    if (features & CSG_FEATURE_SURFACE)
+        csg_text_add(&fragment, "#define CSG_HAS_SURFACE\n");
     if (features & CSG_FEATURE_STIFF)
         csg_text_add(&fragment, "#define CSG_HAS_STIFF\n");
     add_file(&fragment, "common/data.glsl");
@@ -147,6 +151,10 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     if (features & CSG_FEATURE_QUADRIC && !textbook)
         add_file(&fragment, "solids/quadric.glsl");
     add_file(&fragment, "csg/spans.glsl");
+    if (resolver != CSG_RESOLVER_STRAIGHT)
+        add_file(&fragment, "csg/turns.glsl");
+    if (features & CSG_FEATURE_SURFACE)
+        add_file(&fragment, "solids/surface.glsl");
     add_file(&fragment, "csg/change.glsl");
     add_resolver(&fragment, resolver);
     if (resolver == CSG_RESOLVER_STRAIGHT)

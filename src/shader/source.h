@@ -27,8 +27,9 @@ enum csg_feature {
     CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
     CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
     CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
-    CSG_NUM_FEATURE_SETS = 16,
-    CSG_FEATURE_TEXTBOOK = 16 /* all of a frame's programs or none: crossings of textbooks */
+    CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
+    CSG_NUM_FEATURE_SETS = 32,
+    CSG_FEATURE_TEXTBOOK = 32 /* all of a frame's programs or none: crossings of textbooks */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */

@@ -4,9 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/surface.h"
+
 void csg_shape_finish(struct csg_shape *shape)
 {
     free(shape->planes);
+    csg_surface_destroy(shape->surface);
+    shape->surface = NULL;
     shape->planes = NULL;
     shape->num_planes = 0;
 }
@@ -18,6 +22,9 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
         room *= 2;
     *copy = *shape;
     copy->planes = NULL;
+    copy->surface = NULL;
+    if (shape->surface && !(copy->surface = csg_surface_copy(shape->surface)))
+        return false;
     if (!shape->num_planes)
         return true;
     copy->planes = malloc(room * sizeof *copy->planes);
@@ -27,13 +34,13 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
 }
 
 /* n.x <= d with x = inverse(y) is transpose(L) n . y <= d - n . offset, L and offset of inverse. */
-static struct csg_plane map_plane(const struct csg_plane *plane, const struct csg_map *inverse)
+void csg_plane_map(struct csg_plane *plane, const struct csg_map *inverse)
 {
     const struct csg_vec3 normal = csg_map_transposed(inverse, plane->normal);
     const struct csg_vec3 shift = csg_vec3(inverse->m[0][3], inverse->m[1][3], inverse->m[2][3]);
     const double length = csg_length(normal);
-    return (struct csg_plane){csg_scale(1 / length, normal),
-                              (plane->offset - csg_dot(plane->normal, shift)) / length};
+    *plane = (struct csg_plane){csg_scale(1 / length, normal),
+                                (plane->offset - csg_dot(plane->normal, shift)) / length};
 }
 
 bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
@@ -42,7 +49,9 @@ bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
     if (!csg_map_invert(map, &inverse))
         return false;
     for (size_t i = 0; i < shape->num_planes; i++)
-        shape->planes[i] = map_plane(&shape->planes[i], &inverse);
+        csg_plane_map(&shape->planes[i], &inverse);
+    if (shape->surface && !csg_surface_map(shape->surface, map))
+        return false;
     if (shape->has_quadric)
         shape->quadric.to_canon = csg_map_multiply(&shape->quadric.to_canon, &inverse);
     shape->frame = csg_map_multiply(map, &shape->frame);
@@ -98,6 +107,8 @@ static bool is_on_sheet(const struct csg_shape *shape, struct csg_vec3 p)
 
 bool csg_shape_contains(const struct csg_shape *shape, struct csg_vec3 p)
 {
+    if (shape->surface)
+        return csg_surface_winding(shape->surface, p) != 0;
     for (size_t i = 0; i < shape->num_planes; i++)
         if (!(csg_dot(shape->planes[i].normal, p) <= shape->planes[i].offset))
             return false;

@@ -31,7 +31,11 @@ struct csg_quadric {
     struct csg_map to_canon;
 };
 
+struct csg_surface;
+
+/* Either planes and a quadric, or a surface of triangles and neither. */
 struct csg_shape {
+    struct csg_surface *surface; /* owned; NULL: bounded by planes and a quadric (mesh/surface.h) */
     struct csg_plane *planes; /* owned, malloc'ed; NULL when there are none */
     size_t num_planes;
     bool has_quadric;
@@ -60,6 +64,9 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape);
  * Mirrored and sheared maps are fine.
  */
 bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map);
+
+/* Replaces the plane by its image under the map that inverse undoes. */
+void csg_plane_map(struct csg_plane *plane, const struct csg_map *inverse);
 
 /* Appends the plane normal.x <= offset; normal need not be a unit vector. false: out of memory. */
 bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double offset);

@@ -113,6 +113,27 @@ static bool matters(const struct csg_leaf_range *range, const struct quadric_ran
     return !(quadric->first.hi < range->entry.lo && quadric->second.lo > range->exit.hi);
 }
 
+/* Open surfaces may have no end. */
+static struct csg_leaf_range surface_range(const struct csg_surface_view *view,
+                                           const struct csg_tile_box *tile)
+{
+    const double far = (double)CSG_KEY_MAX;
+    struct csg_view_rect rect;
+    double keys[2];
+    for (int i = 0; i < 2; i++) {
+        rect.lo[i] = tile->center[i] - tile->half[i];
+        rect.hi[i] = tile->center[i] + tile->half[i];
+    }
+    const bool met = csg_surface_view_range(view, &rect, keys);
+    if (!met && view->turns != 0)
+        return (struct csg_leaf_range){{-far, -far}, {far, far}, true};
+    if (!met)
+        return (struct csg_leaf_range){{far, far}, {-far, -far}, false};
+    const struct csg_range range = {view->turns != 0 ? -far : keys[0],
+                                    view->surface->open ? far : keys[1]};
+    return (struct csg_leaf_range){range, range, false};
+}
+
 struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
                                         const struct csg_leaf_terms *leaf,
                                         const struct csg_tile_box *tile, bool *planes,
@@ -121,6 +142,8 @@ struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
     const struct csg_range all = {-(double)CSG_KEY_MAX, -(double)CSG_KEY_MAX};
     const struct csg_range end = {(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
     struct csg_leaf_range range = {all, end, true};
+    if (leaf->flags & CSG_RECORD_SURFACE)
+        return surface_range(&terms->views.data[leaf->view], tile);
     const uint32_t num = leaf->num_entries + leaf->num_exits;
     for (uint32_t i = 0; i < num; i++) {
         const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);

@@ -4,10 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pack/surface_record.h"
 #include "tile/range.h"
 
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
+
+/* Tiles with surfaces of triangles have lists of their own in smaller cells, but nothing is drawn
+ * where a tile is empty. In pixels. */
+#define SURFACE_TILE_SIZE 64
 
 /* Keys tried for one at which the object has certainly begun. */
 #define MAX_CANDIDATES 24
@@ -222,11 +227,13 @@ static bool cut(struct tiler *tiler, struct task *task)
     return ok;
 }
 
-static bool add_record(struct tiler *tiler, const struct csg_step *step,
+static bool add_record(struct tiler *tiler, const struct csg_step *step, const struct task *task,
                        const struct csg_tile_box *box)
 {
     if (step->flags & CSG_RECORD_POP)
         return csg_terms_add_record(tiler->terms, step, NULL);
+    if (step->flags & CSG_RECORD_SURFACE)
+        return csg_surface_add_record(tiler->terms, step, task->lo, task->hi);
     const struct csg_leaf_terms *leaf = csg_terms_of(tiler->terms, step->leaf);
     struct csg_record_filter filter = {NULL, false};
     tiler->planes.num = 0;
@@ -246,9 +253,11 @@ static bool emit(struct tiler *tiler, const struct task *task)
     if (!csg_program_append(&tiler->program, tiler->terms->scene, &task->tree, 0))
         return false;
     draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
-    for (size_t i = 0; i < tiler->program.num; i++)
-        if (!add_record(tiler, &tiler->program.data[i], &box))
+    for (size_t i = 0; i < tiler->program.num; i++) {
+        draw.surface |= (tiler->program.data[i].flags & CSG_RECORD_SURFACE) != 0;
+        if (!add_record(tiler, &tiler->program.data[i], task, &box))
             return false;
+    }
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
     csg_draw_set_rect(&draw, &frame->screen, &rect);
@@ -272,7 +281,10 @@ static bool run(struct tiler *tiler, struct task *task)
     }
     const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
                           task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
-    if (smallest || count_leaves(&task->tree) <= SMALL_LEAVES)
+    const bool small_enough = tiler->terms->views.num == 0 ||
+                              (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
+                               task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
+    if (smallest || (small_enough && count_leaves(&task->tree) <= SMALL_LEAVES))
         return emit(tiler, task);
     return cut(tiler, task);
 }

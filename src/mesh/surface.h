@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_MESH_SURFACE_H
+#define CSG_MESH_SURFACE_H
+
+/*
+ * The boundary of a solid as triangles, of any number and shape. Inside is where the surface winds
+ * around a point, however often and in whichever sense.
+ *
+ * Nothing here decides whether a ray meets a triangle by the triangle alone. A triangle covers a
+ * point of the plane across the ray as often as its directed edges cross a half-line from there,
+ * and an edge is asked in the same way by the two triangles that share it. So the sum over a closed
+ * surface is zero whatever is rounded: there is no crack at an edge or a vertex, and a face with
+ * many corners may be any fan of triangles, also one that folds over itself.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "common/array.h"
+#include "common/linear.h"
+
+struct csg_plane;
+
+struct csg_triangle {
+    uint32_t points[3];
+    uint32_t plane; /* of the face that it is part of */
+};
+
+/* A node of the hierarchy of boxes; in pre-order, the first child follows its parent. */
+struct csg_box_node {
+    struct csg_box box;
+    uint32_t end;        /* one past the last node below */
+    uint32_t first, num; /* a leaf's triangles; num is 0 elsewhere */
+};
+
+struct csg_surface {
+    CSG_ARRAY(struct csg_vec3) points;
+    CSG_ARRAY(struct csg_triangle) triangles; /* in the order of the hierarchy once it is built */
+    CSG_ARRAY(struct csg_plane) planes;       /* unit normals out of the solid */
+    CSG_ARRAY(struct csg_box_node) nodes;     /* none until csg_surface_build */
+    bool open; /* some edge does not belong to two triangles in opposite directions */
+};
+
+void csg_surface_destroy(struct csg_surface *surface);
+
+/* NULL: out of memory. */
+struct csg_surface *csg_surface_copy(const struct csg_surface *surface);
+
+/* Replaces it by its image. false, with the surface untouched, where map is singular. */
+bool csg_surface_map(struct csg_surface *surface, const struct csg_map *map);
+
+/* Builds the hierarchy of boxes; again after a map. false: out of memory. */
+bool csg_surface_build(struct csg_surface *surface);
+
+/* Whether all points and planes are finite. */
+bool csg_surface_is_finite(const struct csg_surface *surface);
+
+struct csg_box csg_surface_box(const struct csg_surface *surface);
+
+/* Where the triangles of a plane are: centre and radius. */
+struct csg_surface_extent {
+    struct csg_vec3 center;
+    double radius;
+};
+
+/* One for each plane; NULL: out of memory. */
+struct csg_surface_extent *csg_surface_extents(const struct csg_surface *surface);
+
+/* A triangle that a line meets. turns: 1 where the line leaves by its front, from which its corners
+ * run counter-clockwise, -1 where it enters there. t is the place along the line of its nearest and
+ * farthest corner, in lengths of dir. */
+struct csg_meeting {
+    uint32_t triangle;
+    int turns;
+    double tmin, tmax;
+};
+
+struct csg_meetings {
+    struct csg_meeting *data;
+    size_t num, capacity;
+};
+
+/* Appends what the line org + t dir meets. Needs the hierarchy. false: out of memory. */
+bool csg_surface_meet(const struct csg_surface *surface, struct csg_vec3 org, struct csg_vec3 dir,
+                      struct csg_meetings *meetings);
+
+/* Times that the surface goes round p, 1 inside of a single one; out of memory counts as none. */
+int csg_surface_winding(const struct csg_surface *surface, struct csg_vec3 p);
+
+#endif

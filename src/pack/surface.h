@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PACK_SURFACE_H
+#define CSG_PACK_SURFACE_H
+
+/*
+ * A surface of triangles as the screen sees it. In pixels and keys all rays are parallel, so what a
+ * ray meets is a question of the plane: the triangles whose edges go round its pixel's centre. The
+ * hierarchy's boxes become rectangles with ranges of keys, a tile takes from it the triangles that
+ * it may meet and writes them as lists by cell of some pixels, edges as the shader asks them
+ * (shaders/solids/surface.glsl).
+ */
+
+#include "mesh/surface.h"
+#include "pack/screen.h"
+
+/* A corner: place in pixels, counted from the frame's reference pixel, and key. Behind the eye the
+ * key is nan. */
+struct csg_view_point {
+    double x, y, key;
+};
+
+/* What a node of the hierarchy covers; empty where lo > hi. */
+struct csg_view_node {
+    double lo[2], hi[2], near, far;
+};
+
+struct csg_surface_view {
+    const struct csg_surface *surface;
+    uint32_t leaf;
+    struct csg_view_point *points;
+    struct csg_view_node *nodes;
+    double tnear; /* distance along the view axis where triangles are cut off */
+    double slack; /* of keys: how far carriers may lie off their faces */
+    int turns;    /* of the surface around the eye */
+};
+
+/* spare: the leaf counts as nothing. false: out of memory. */
+bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,
+                           struct csg_pixel at, const struct csg_shape *shape, uint32_t leaf,
+                           bool spare);
+void csg_surface_view_finish(struct csg_surface_view *view);
+
+/* Pixel centres of a rectangle, counted from the reference pixel. */
+struct csg_view_rect {
+    double lo[2], hi[2];
+};
+
+/* The keys between which rays of the rectangle meet the surface; false: they miss it. */
+bool csg_surface_view_range(const struct csg_surface_view *view, const struct csg_view_rect *rect,
+                            double keys[2]);
+
+/* Appends the triangles that a ray of the rectangle may meet. false: out of memory. */
+struct csg_view_list {
+    uint32_t *data;
+    size_t num, capacity;
+};
+bool csg_surface_view_list(const struct csg_surface_view *view, const struct csg_view_rect *rect,
+                           struct csg_view_list *list);
+
+/* A triangle, cut at tnear, as a polygon of pixels that runs as its corners do; 0 to 4 corners.
+ * Corners that two triangles share come out equal to the last bit. */
+int csg_surface_view_polygon(const struct csg_surface_view *view, const struct csg_screen *screen,
+                             struct csg_pixel at, uint32_t triangle, double polygon[4][2]);
+
+#endif

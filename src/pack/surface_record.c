@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: MIT */
+#include "pack/surface_record.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Cells are squares of a power of two pixels. */
+enum { min_cell = 4, max_cell = 1 << 14 };
+
+/* Lists that are this short on average need no smaller cells. */
+#define SHORT_LIST 4
+
+/* Triangles thinner than this, in pixels, are seen along their plane: it does not say where. */
+#define THIN 1e-3
+
+/* Coordinates rounded to float are off by less than this, in pixels, and by this share. */
+#define PIXEL_MARGIN 1e-3
+#define SHARE_MARGIN 1e-6
+
+/* An edge of a triangle in the record's pixels, as the shader gets it. */
+struct edge {
+    float texel[4];
+    double left, right;  /* where it is within the record's rows */
+    int first_row, rows; /* whose centres it passes */
+    int turns;           /* 1 upwards, -1 downwards */
+};
+
+struct face {
+    double plane[4];
+    struct edge edges[4];
+    int num_edges;
+    int lo[2], hi[2]; /* cells */
+    uint32_t normal;  /* place in the record; 0 while no list has the face */
+    uint32_t triangle;
+};
+
+/* A face in a cell's list. */
+struct entry {
+    uint32_t cell, face;
+    uint8_t first_edge, num_edges; /* none: the face covers all of the cell, */
+    int8_t turns;                  /* ... in that sense */
+};
+
+struct record {
+    struct csg_terms *terms;
+    const struct csg_surface_view *view;
+    int size[2];     /* pixels */
+    double lo[2];    /* counted from the reference pixel */
+    int cell, columns, rows;
+    uint32_t first_normal, num_normals;
+    CSG_ARRAY(struct face) faces;
+    CSG_ARRAY(struct entry) entries;
+};
+
+/* ---- edges -------------------------------------------------------------------------------- */
+
+/*
+ * The part of the edge within the record's rows, from its lower end: x = x0 + slope (y - y0). Both
+ * triangles of an edge get the same numbers, with the ends exchanged.
+ */
+static bool fill_edge(const struct record *record, const double a[2], const double b[2],
+                      struct edge *edge)
+{
+    const bool upwards = a[1] < b[1];
+    const double *low = upwards ? a : b, *high = upwards ? b : a;
+    double x0 = low[0] - record->lo[0], y0 = low[1] - record->lo[1];
+    double x1 = high[0] - record->lo[0], y1 = high[1] - record->lo[1];
+    const double slope = (x1 - x0) / (y1 - y0), top = record->size[1] + 1;
+    if (!(y0 < y1) || y1 <= -1 || y0 >= top)
+        return false;
+    const double from = x0;
+    if (y0 < -1)
+        x0 = from + slope * (-1 - y0);
+    if (y1 > top)
+        x1 = from + slope * (top - y0);
+    const float bottom = (float)(y0 < -1 ? -1 : y0), end = (float)(y1 > top ? top : y1);
+    edge->texel[0] = upwards ? bottom : end;
+    edge->texel[1] = upwards ? end : bottom;
+    edge->texel[2] = (float)x0;
+    edge->texel[3] = bottom < end ? (float)((x1 - x0) / ((double)end - (double)bottom)) : 0;
+    const int first = (int)ceil((double)bottom - 0.5), last = (int)ceil((double)end - 0.5);
+    edge->first_row = first > 0 ? first : 0;
+    edge->rows = (last < record->size[1] ? last : record->size[1]) - edge->first_row;
+    edge->turns = upwards ? 1 : -1;
+    const double margin = PIXEL_MARGIN + SHARE_MARGIN * (fabs(x0) + fabs(x1));
+    edge->left = fmin(x0, x1) - margin;
+    edge->right = fmax(x0, x1) + margin;
+    return edge->rows > 0;
+}
+
+/* ---- faces -------------------------------------------------------------------------------- */
+
+/* Twice the area over the longest edge. */
+static bool is_thin(double (*polygon)[2], int num)
+{
+    double area = 0, longest = 0;
+    for (int i = 0; i < num; i++) {
+        const double *a = polygon[i], *b = polygon[(i + 1) % num];
+        const double dx = b[0] - a[0], dy = b[1] - a[1];
+        area += (a[0] - polygon[0][0]) * dy - (a[1] - polygon[0][1]) * dx;
+        longest = fmax(longest, sqrt(dx * dx + dy * dy));
+    }
+    return !(fabs(area) > THIN * longest);
+}
+
+static const struct csg_plane *carrier_of(const struct record *record, uint32_t triangle,
+                                          bool *flipped)
+{
+    const struct csg_surface_view *view = record->view;
+    const struct csg_carriers *carriers = record->terms->scene->carriers;
+    const uint32_t plane = view->surface->triangles.data[triangle].plane;
+    const struct csg_face face = carriers->faces[carriers->face_begin[view->leaf] + plane];
+    *flipped = face.flipped;
+    return &carriers->planes[face.carrier];
+}
+
+static void fill_plane(const struct record *record, struct face *face, bool thin)
+{
+    const struct csg_frame *frame = record->terms->frame;
+    bool flipped;
+    const struct csg_plane *plane = carrier_of(record, face->triangle, &flipped);
+    csg_screen_plane(&frame->screen, frame->at, plane, flipped, face->plane);
+    if (!thin)
+        return;
+    const struct csg_surface_view *view = record->view;
+    const uint32_t *corners = view->surface->triangles.data[face->triangle].points;
+    double key = 0;
+    for (int i = 0; i < 3; i++)
+        key += view->points[corners[i]].key / 3;
+    if (isnan(key))
+        return;
+    face->plane[0] = key;
+    face->plane[1] = face->plane[2] = 0;
+}
+
+static int clamp_cell(double pixel, int cell, int num)
+{
+    const double place = floor(pixel / cell);
+    return place < 0 ? 0 : place >= num ? num - 1 : (int)place;
+}
+
+static bool add_face(struct record *record, uint32_t triangle)
+{
+    const struct csg_frame *frame = record->terms->frame;
+    struct face face = {.triangle = triangle};
+    double polygon[4][2];
+    const int num =
+        csg_surface_view_polygon(record->view, &frame->screen, frame->at, triangle, polygon);
+    double lo = INFINITY, hi = -INFINITY;
+    int first = record->size[1], last = 0;
+    for (int i = 0; i < num; i++) {
+        struct edge *edge = &face.edges[face.num_edges];
+        if (!fill_edge(record, polygon[i], polygon[(i + 1) % num], edge))
+            continue;
+        face.num_edges++;
+        lo = fmin(lo, edge->left);
+        hi = fmax(hi, edge->right);
+        first = edge->first_row < first ? edge->first_row : first;
+        last = edge->first_row + edge->rows > last ? edge->first_row + edge->rows : last;
+    }
+    if (face.num_edges == 0 || hi < 0 || lo > record->size[0])
+        return true;
+    fill_plane(record, &face, is_thin(polygon, num));
+    face.lo[0] = clamp_cell(lo, record->cell, record->columns);
+    face.hi[0] = clamp_cell(hi, record->cell, record->columns);
+    face.lo[1] = clamp_cell(first, record->cell, record->rows);
+    face.hi[1] = clamp_cell(last - 1, record->cell, record->rows);
+    return csg_array_push(&record->faces, face);
+}
+
+/* ---- lists -------------------------------------------------------------------------------- */
+
+enum side { BESIDE, COVERS, CUTS };
+
+/* What an edge is to a cell: to the left of it or in other rows; to the right of all of it; or the
+ * shader has to ask. */
+static enum side side_of(const struct record *record, const struct edge *edge, int column, int row)
+{
+    const int left = column * record->cell, bottom = row * record->cell;
+    const int top = bottom + record->cell < record->size[1] ? bottom + record->cell
+                                                            : record->size[1];
+    const int end = edge->first_row + edge->rows;
+    if (end <= bottom || edge->first_row >= top || edge->right < left)
+        return BESIDE;
+    const bool all_rows = edge->first_row <= bottom && end >= top;
+    return all_rows && edge->left > left + record->cell ? COVERS : CUTS;
+}
+
+static bool push_entry(struct record *record, struct entry entry)
+{
+    struct face *face = &record->faces.data[entry.face];
+    if (face->normal == 0)
+        face->normal = record->first_normal + record->num_normals++;
+    return csg_array_push(&record->entries, entry);
+}
+
+static bool add_to_cell(struct record *record, uint32_t face_index, int column, int row)
+{
+    const struct face *face = &record->faces.data[face_index];
+    struct entry entry = {.cell = (uint32_t)(row * record->columns + column), .face = face_index};
+    bool cuts = false;
+    int turns = 0;
+    for (int i = 0; i < face->num_edges; i++) {
+        const enum side side = side_of(record, &face->edges[i], column, row);
+        turns += side == COVERS ? face->edges[i].turns : 0;
+        cuts |= side == CUTS;
+    }
+    bool ok = true;
+    entry.turns = turns < 0 ? -1 : 1;
+    for (int i = 0; i < abs(turns) && !cuts && ok; i++)
+        ok = push_entry(record, entry);
+    for (int i = 0; i < face->num_edges && cuts && ok; i += 3) {
+        entry.first_edge = (uint8_t)i;
+        entry.num_edges = (uint8_t)(face->num_edges - i < 3 ? face->num_edges - i : 3);
+        ok = push_entry(record, entry);
+    }
+    return ok;
+}
+
+static bool add_to_cells(struct record *record, uint32_t index)
+{
+    const struct face face = record->faces.data[index];
+    bool ok = true;
+    for (int row = face.lo[1]; row <= face.hi[1] && ok; row++)
+        for (int column = face.lo[0]; column <= face.hi[0] && ok; column++)
+            ok = add_to_cell(record, index, column, row);
+    return ok;
+}
+
+/* ---- the record --------------------------------------------------------------------------- */
+
+/*
+ * Seen from the front a closed surface has half of its n triangles over an area A or more, so they
+ * are about 2 sqrt(A / n) pixels wide; with cells half as wide lists are short and few.
+ */
+static void choose_cells(struct record *record, size_t num)
+{
+    const double area = (double)record->size[0] * record->size[1];
+    const int larger = record->size[0] > record->size[1] ? record->size[0] : record->size[1];
+    record->cell = min_cell;
+    if (num <= SHORT_LIST)
+        while (record->cell < larger && record->cell < max_cell)
+            record->cell *= 2;
+    else
+        while (2 * record->cell <= sqrt(area / (double)num) && record->cell < larger)
+            record->cell *= 2;
+    record->columns = (record->size[0] + record->cell - 1) / record->cell;
+    record->rows = (record->size[1] + record->cell - 1) / record->cell;
+}
+
+static void put_normal(const struct record *record, const struct face *face, bool negated,
+                       float mark, float *texel)
+{
+    bool flipped;
+    const struct csg_plane *plane = carrier_of(record, face->triangle, &flipped);
+    const double sign = flipped != negated ? -1 : 1;
+    texel[0] = (float)(sign * plane->normal.x);
+    texel[1] = (float)(sign * plane->normal.y);
+    texel[2] = (float)(sign * plane->normal.z);
+    texel[3] = mark;
+}
+
+static uint32_t entry_texels(const struct record *record, bool cuts)
+{
+    return (record->terms->precise ? 2u : 1u) + (cuts ? CSG_SURFACE_EDGES : 0);
+}
+
+static void put_entry(const struct record *record, const struct entry *entry, float *to)
+{
+    const struct face *face = &record->faces.data[entry->face];
+    const double plane[4] = {face->plane[0], face->plane[1], face->plane[2],
+                             (double)face->normal * (entry->num_edges ? 1 : entry->turns)};
+    to = csg_terms_put(record->terms, plane, to);
+    for (int i = 0; i < entry->num_edges; i++)
+        memcpy(to + 4 * i, face->edges[entry->first_edge + i].texel, 4 * sizeof *to);
+}
+
+/* A cell's list while it is written: entries that cover the cell, then those that cut it. */
+struct cell {
+    uint32_t covers, cuts;         /* how many */
+    uint32_t next_cover, next_cut; /* texels */
+};
+
+/* The lists by cell, from texel first on; returns the length of the longest. */
+static size_t put_lists(const struct record *record, struct cell *cells, float *texels, size_t first)
+{
+    size_t longest = 0, num_cells = (size_t)record->columns * (size_t)record->rows;
+    for (size_t i = 0; i < record->entries.num; i++) {
+        const struct entry *entry = &record->entries.data[i];
+        cells[entry->cell].covers += entry->num_edges == 0;
+        cells[entry->cell].cuts += entry->num_edges > 0;
+    }
+    for (size_t i = 0; i < num_cells; i++) {
+        float *texel = texels + 4 * (CSG_SURFACE_CELLS + i);
+        texel[0] = (float)first;
+        texel[1] = (float)cells[i].covers;
+        texel[2] = (float)cells[i].cuts;
+        cells[i].next_cover = (uint32_t)first;
+        cells[i].next_cut = (uint32_t)first + entry_texels(record, false) * cells[i].covers;
+        first = cells[i].next_cut + (size_t)entry_texels(record, true) * cells[i].cuts;
+        if (cells[i].covers + cells[i].cuts > longest)
+            longest = cells[i].covers + cells[i].cuts;
+    }
+    for (size_t i = 0; i < record->entries.num; i++) {
+        const struct entry *entry = &record->entries.data[i];
+        uint32_t *next = entry->num_edges ? &cells[entry->cell].next_cut
+                                          : &cells[entry->cell].next_cover;
+        put_entry(record, entry, texels + (size_t)4 * *next);
+        *next += entry_texels(record, entry->num_edges > 0);
+    }
+    return longest;
+}
+
+static bool put_record(const struct record *record, const struct csg_step *step)
+{
+    struct csg_frame *frame = record->terms->frame;
+    const struct csg_leaf_terms *leaf = csg_terms_of(record->terms, step->leaf);
+    const size_t first = record->first_normal + record->num_normals;
+    size_t num = first;
+    for (size_t i = 0; i < record->entries.num; i++)
+        num += entry_texels(record, record->entries.data[i].num_edges > 0);
+    struct cell *cells = calloc((size_t)record->columns * (size_t)record->rows, sizeof *cells);
+    float *texels = cells ? csg_frame_add_texels(frame, num) : NULL;
+    if (!texels) {
+        free(cells);
+        return false;
+    }
+    texels[0] = (float)(num - 1);
+    texels[2] = (float)step->flags;
+    texels[3] = (float)leaf->attributes;
+    float *grid = texels + 4;
+    grid[0] = (float)record->lo[0];
+    grid[1] = (float)record->lo[1];
+    grid[2] = 1.0f / (float)record->cell;
+    grid[3] = (float)record->columns;
+    for (size_t i = 0; i < record->faces.num; i++) {
+        const struct face *face = &record->faces.data[i];
+        if (face->normal)
+            put_normal(record, face, step->flags & CSG_RECORD_NEGATED,
+                       (float)(leaf->attributes + 1), texels + (size_t)4 * face->normal);
+    }
+    float *start = texels + 8;
+    start[0] = (float)record->view->turns;
+    start[1] = (float)put_lists(record, cells, texels, first);
+    free(cells);
+    return true;
+}
+
+static bool fill_record(struct record *record, const struct csg_view_list *list)
+{
+    bool ok = true;
+    choose_cells(record, list->num);
+    record->first_normal = (uint32_t)(CSG_SURFACE_CELLS + record->columns * record->rows);
+    for (size_t i = 0; i < list->num && ok; i++)
+        ok = add_face(record, list->data[i]);
+    for (size_t i = 0; i < record->faces.num && ok; i++)
+        ok = add_to_cells(record, (uint32_t)i);
+    return ok;
+}
+
+bool csg_surface_add_record(struct csg_terms *terms, const struct csg_step *step, const int lo[2],
+                            const int hi[2])
+{
+    const struct csg_pixel at = terms->frame->at;
+    struct record record = {.terms = terms,
+                            .view = csg_terms_view(terms, step->leaf),
+                            .size = {hi[0] - lo[0], hi[1] - lo[1]},
+                            .lo = {lo[0] - at.x, lo[1] - at.y}};
+    const struct csg_view_rect rect = {{record.lo[0] + 0.5, record.lo[1] + 0.5},
+                                       {record.lo[0] + record.size[0] - 0.5,
+                                        record.lo[1] + record.size[1] - 0.5}};
+    struct csg_view_list list = {0};
+    const bool ok = csg_surface_view_list(record.view, &rect, &list) &&
+                    fill_record(&record, &list) && put_record(&record, step);
+    free(list.data);
+    free(record.faces.data);
+    free(record.entries.data);
+    return ok;
+}
