@@ -82,6 +82,8 @@ static void print_text(const struct report *report, bool stats)
                "texture bytes      %zu\n",
                report->renderer, report->frame.variants, report->frame.programs,
                report->frame.texture_bytes);
+    if (report->has_frame)
+        csg_cli_print_numerics(stdout, &report->frame);
 }
 
 /* ---- for machines --------------------------------------------------------------------------- */
@@ -90,6 +92,7 @@ static void print_frame_json(struct csg_json *json, const struct report *report,
 {
     csg_json_string(json, "renderer", report->renderer);
     csg_json_string(json, "variants", report->frame.variants);
+    csg_json_string(json, "numerics", report->frame.numerics);
     if (stats) {
         csg_cli_print_stats_json(json, &report->frame);
         return;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stats.h"
 
+#include <string.h>
+
 /* The numbers of struct csgcast_stats, in the order in which they are printed. */
 struct row {
     const char *key, *label;
@@ -32,6 +34,7 @@ static const struct row rows[] = {
     SIZE(proxy_pixels, "proxy pixels"),
     SIZE(hit_pixels, "hit pixels"),
     SIZE(solid_tests, "solid tests"),
+    SIZE(precise_objects, "in double"),
     SIZE(overflowed_objects, "overflowed"),
     SIZE(unfinished_pixels, "cast on the CPU"),
 };
@@ -59,6 +62,17 @@ void csg_cli_print_stats(FILE *file, const char *renderer, const struct csgcast_
             fprintf(file, "%-18s %zu\n", rows[i].label, *(const size_t *)value);
     }
     fprintf(file, "%-18s %.3f\n", "tests a pixel", tests_per_pixel(stats));
+}
+
+void csg_cli_print_numerics(FILE *file, const struct csgcast_stats *stats)
+{
+    for (const char *line = stats->numerics; *line;) {
+        const size_t length = strcspn(line, "\n");
+        fprintf(file, "%-18s %.*s\n", line == stats->numerics ? "numerics" : "", (int)length, line);
+        line += length + (line[length] != 0);
+    }
+    if (!stats->numerics[0])
+        fprintf(file, "%-18s %s\n", "numerics", "float holds everything in this view");
 }
 
 void csg_cli_print_stats_json(struct csg_json *json, const struct csgcast_stats *stats)

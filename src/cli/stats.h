@@ -13,6 +13,9 @@
 /* One line a number. */
 void csg_cli_print_stats(FILE *file, const char *renderer, const struct csgcast_stats *stats);
 
+/* What is drawn in double, and why: the numerics of stats. */
+void csg_cli_print_numerics(FILE *file, const struct csgcast_stats *stats);
+
 /* The numbers as members of the object that is open. */
 void csg_cli_print_stats_json(struct csg_json *json, const struct csgcast_stats *stats);
 

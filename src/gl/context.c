@@ -71,7 +71,8 @@ static bool init_version(struct csg_gl_context *context, const char *where,
     snprintf(context->name, sizeof context->name, "%s: %.200s, %d.%d core", gl->platform->name,
              renderer ? renderer : "unknown", major, minor);
     gl->name = context->name;
-    gl->has_double = major >= 4 || has_extension(gl, "GL_ARB_gpu_shader_fp64");
+    gl->has_double = (major >= 4 || has_extension(gl, "GL_ARB_gpu_shader_fp64")) &&
+                     !getenv("CSGCAST_NO_DOUBLE");
     return true;
 }
 

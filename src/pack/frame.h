@@ -53,7 +53,8 @@ struct csg_frame_params {
     bool (*whole)(size_t object, const void *user);
     const void *user;
     bool textbook; /* carriers as pack/textbook.h has them */
-    bool precise; /* everything in double */
+    bool precise;    /* everything in double */
+    bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

@@ -75,8 +75,10 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
     frame->precisions.num = num;
     for (size_t i = 0; i < num; i++) {
         struct csg_precision *precision = &frame->precisions.data[i];
-        *precision = (struct csg_precision){.precise = params->precise, .reason = CSG_REASON_ASKED};
-        if (!params->precise && !params->textbook)
+        *precision = (struct csg_precision){
+            .precise = params->precise, .reason = CSG_REASON_ASKED};
+        if (!params->precise && !params->textbook &&
+            (params->has_double || scene->objects->data[i].layer == CSG_LAYER_MODEL))
             *precision = csg_precision_of(&frame->screen, scene, i, focus);
         num_precise += precision->precise;
     }

@@ -235,7 +235,8 @@ bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
     const size_t begin = terms->frame->texels.num;
     if (!fill(terms, object, rect))
         return false;
-    if (terms->precise || terms->error <= CSG_MAX_DEPTH_ERROR)
+    const bool can_help = terms->params->has_double || object->layer == CSG_LAYER_MODEL;
+    if (terms->precise || terms->error <= CSG_MAX_DEPTH_ERROR || !can_help)
         return true;
     const double error = terms->error;
     terms->frame->texels.num = begin;

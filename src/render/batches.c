@@ -22,6 +22,7 @@ struct chooser {
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS]; /* by features */
+    GLuint cpu;                 /* for what needs double without having it */
     size_t max_handed;          /* flat inputs that the driver allows */
 };
 
@@ -144,9 +145,24 @@ static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver,
     return shared[features];
 }
 
+static bool is_for_cpu(const struct chooser *chooser, const struct csg_draw *draw)
+{
+    return draw->precise && !chooser->renderer->gl->has_double;
+}
+
+static GLuint choose_cpu(struct chooser *chooser, enum csg_resolver *resolver)
+{
+    *resolver = CSG_RESOLVER_CPU;
+    if (!chooser->cpu)
+        chooser->cpu = compile(chooser, CSG_RESOLVER_CPU, NULL, 0);
+    return chooser->cpu;
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
+    if (is_for_cpu(chooser, draw))
+        return choose_cpu(chooser, resolver);
     if (draw->tile)
         return choose_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
                              CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | view_features(draw), resolver);
@@ -180,7 +196,10 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
                      GLuint rear, enum csg_resolver resolver, uint32_t instance)
 {
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
-    batches->drawn[resolver]++;
+    if (resolver == CSG_RESOLVER_CPU)
+        batches->on_cpu++;
+    else
+        batches->drawn[resolver]++;
     const bool alone = draw->translucent || draw->paint != CSG_LAYER_MODEL;
     if (last && last->program == program && last->layer == draw->layer &&
         (!alone || last->object == draw->object) &&
@@ -198,7 +217,7 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
 static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GLuint *rear)
 {
     enum csg_resolver resolver;
-    const bool shows = draw->single && (draw->translucent || draw->paint != CSG_LAYER_MODEL);
+    const bool shows = draw->single && !is_for_cpu(chooser, draw) && (draw->translucent || draw->paint != CSG_LAYER_MODEL);
     *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
                                   CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
                   : 0;
@@ -234,7 +253,8 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
             request->resolver == CSG_RESOLVER_ALGORITHM4 && resolver == CSG_RESOLVER_LOOP &&
             (i == 0 || draw[-1].object != draw->object);
         batches->may_give_up |=
-            resolver != CSG_RESOLVER_STRAIGHT && may_give_up(&renderer->frame, draw);
+            resolver == CSG_RESOLVER_CPU ||
+            (resolver != CSG_RESOLVER_STRAIGHT && may_give_up(&renderer->frame, draw));
         if (ok && !add_draw(batches, draw, program, rear, resolver, i))
             ok = csg_log_memory(&renderer->log);
     }

@@ -444,7 +444,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     const struct csg_frame_params params = {
         &request->frustum, request->width,           request->height, request->scheme,
         request->view->cut_color, csg_draws_whole, request, request->textbook,
-        request->resolver == CSG_RESOLVER_DOUBLE};
+        request->resolver == CSG_RESOLVER_DOUBLE, renderer->gl->has_double};
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);
@@ -458,6 +458,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
                     upload(renderer) && draw_bands(&picture);
     struct csgcast_stats *stats = &renderer->stats;
     copy_counts(&renderer->frame, stats);
+    csg_numerics_describe(renderer, request->scene, stats);
     size_t used = 0, num = 0;
     if (request->textbook)
         used = (size_t)snprintf(stats->variants, sizeof stats->variants, CSG_TEXTBOOK_NAME ": ");
@@ -466,6 +467,9 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
             used += (size_t)snprintf(stats->variants + used, sizeof stats->variants - used,
                                      "%s%s %zu", num++ ? ", " : "", csg_resolver_names[i],
                                      picture.batches.drawn[i]);
+    if (picture.batches.on_cpu && used < sizeof stats->variants)
+        snprintf(stats->variants + used, sizeof stats->variants - used, "%sreference %zu",
+                 num ? ", " : "", picture.batches.on_cpu);
     free(picture.batches.data);
     return ok;
 }

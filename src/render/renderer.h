@@ -50,8 +50,13 @@ struct csg_batches {
     struct csg_batch *data;
     size_t num, capacity;
     size_t drawn[CSG_NUM_RESOLVERS];
+    size_t on_cpu;    /* objects in double without a driver that has it */
     bool may_give_up; /* some program may run out of turns, see CSG_MAX_TURNS */
 };
+
+/* Fills precise_objects and numerics of stats from the renderer's frame. */
+void csg_numerics_describe(const struct csgcast_renderer *renderer,
+                           const struct csgcast_scene *scene, struct csgcast_stats *stats);
 
 /* Casts the pixels of the band at first_row (from the bottom) that visible marks as
  * CSG_UNFINISHED on the CPU. visible: two words a pixel. false: out of memory. */

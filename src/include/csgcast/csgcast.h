@@ -351,6 +351,8 @@ struct csgcast_stats {
     size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
     size_t hit_pixels;       /* pixels that show a solid, where z or id was asked for */
     size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
+    size_t precise_objects;  /* drawn in double, where float does not hold them */
+    char numerics[1024];     /* which, and why: a line for each, as many as fit; "": none */
     size_t overflowed_objects; /* too large for the variant that was forced: the loop drew them */
     /* Solids in the programs of the rectangles that were drawn, times their pixels; divided by
      * proxy_pixels: tests per pixel. */
