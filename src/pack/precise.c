@@ -27,9 +27,9 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
             const bool plane = j < carriers->face_begin[leaf + 1];
             const uint32_t carrier =
                 plane ? carriers->faces[j].carrier : carriers->quadric_faces[leaf].carrier;
-            bool *marked = marks->marked + (plane ? 0 : carriers->num_planes) + carrier;
             if (carrier == CSG_NO_CARRIER)
                 continue;
+            bool *marked = &marks->marked[(plane ? 0 : carriers->num_planes) + carrier];
             found |= *marked;
             marks->changed |= mark && !*marked;
             *marked |= mark;

@@ -45,16 +45,18 @@ static double width_at(const struct csg_screen *screen, double t)
                                 : size * csg_length(screen->direction_dx) * t;
 }
 
-/* Error of a key as a length, for surfaces that are not seen at a flat angle. */
-static double resolution(const struct csg_screen *screen, const double range[2])
+/* Error of a key as a length, for surfaces that are not seen at a flat angle and across the view
+ * axis at most that far from the pixel that terms are counted from. */
+static double resolution(const struct csg_screen *screen, const double range[2], double across)
 {
+    across = fmin(across, width_at(screen, range[1]));
     if (screen->orthographic || screen->a != 0) {
         const double near = fabs(csg_screen_key(screen, range[0]));
         const double far = fabs(csg_screen_key(screen, range[1]));
         const double stretch = screen->orthographic ? 1 : range[1] * range[1] / screen->b;
-        return KEY_ROUNDING * (fmax(near, far) * stretch + width_at(screen, range[1]));
+        return KEY_ROUNDING * (fmax(near, far) * stretch + across);
     }
-    return KEY_ROUNDING * (range[1] + width_at(screen, range[1]));
+    return KEY_ROUNDING * (range[1] + across);
 }
 
 static bool is_too_fine(struct csg_precision *precision, int reason, uint32_t leaf, double size,
@@ -70,9 +72,9 @@ static bool is_too_fine(struct csg_precision *precision, int reason, uint32_t le
 }
 
 static void judge_geometry(const struct csg_screen *screen, const struct csg_sharpness *sharp,
-                           const double range[2], struct csg_precision *precision)
+                           const double range[2], double across, struct csg_precision *precision)
 {
-    const double error = resolution(screen, range);
+    const double error = resolution(screen, range, across);
     const double width = width_at(screen, fmax(range[0], range[1] / MAX_RATIO));
     const double least[CSG_NUM_FINE] = {[CSG_FINE_THICKNESS] = MIN_STEPS * error,
                                         [CSG_FINE_CURVATURE] = error / MAX_NORMAL_ERROR,
@@ -132,6 +134,17 @@ static void judge_near(const struct csg_screen *screen, const struct csgcast_sce
             judge_depths(screen, scene, nodes[i].leaf, precision);
 }
 
+/* How far the object's points are from the middle of the scene. */
+static double across(const struct csg_box *box, const struct csg_box *focus)
+{
+    if (!csg_box_is_finite(box))
+        return INFINITY;
+    const struct csg_vec3 middle = csg_scale(0.5, csg_add(focus->lo, focus->hi));
+    const struct csg_vec3 lo = csg_sub(box->lo, middle), hi = csg_sub(box->hi, middle);
+    return csg_length(csg_vec3(fmax(fabs(lo.x), fabs(hi.x)), fmax(fabs(lo.y), fabs(hi.y)),
+                               fmax(fabs(lo.z), fabs(hi.z))));
+}
+
 struct csg_precision csg_precision_of(const struct csg_screen *screen,
                                       const struct csgcast_scene *scene, size_t index,
                                       const struct csg_box *focus)
@@ -141,7 +154,7 @@ struct csg_precision csg_precision_of(const struct csg_screen *screen,
     double range[2];
     csg_depth_range(screen, csg_box_is_finite(&object->box) ? &object->box : focus, range);
     if (range[1] >= range[0] && (screen->orthographic || range[1] > 0))
-        judge_geometry(screen, &scene->sharpness[index], range, &precision);
+        judge_geometry(screen, &scene->sharpness[index], range, across(&object->box, focus), &precision);
     csg_depth_range(screen, &object->box, range);
     if (!screen->orthographic && screen->a == 0 && range[1] > MAX_RATIO * range[0])
         judge_near(screen, scene, object, &precision);

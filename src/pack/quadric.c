@@ -24,6 +24,10 @@
 /* Share of its terms below which a has no digits left, and rays meet the surface once. */
 #define DEGENERATE_A 1e-13
 
+/* What such an a becomes, times that: with the eye at a cone's apex b is nothing as well, and the
+ * crossings at sqrt(c / a) are still to be nearer than anything that can be seen. */
+#define VANISHING_A 1e-13
+
 /* P at the leaf's pixel, its steps per pixel, and W, in canonical homogeneous coordinates. */
 struct pencil {
     double q[4];
@@ -132,7 +136,7 @@ static struct quadratic quadratic_of(const struct pencil *pencil, double key_spa
                             form_size(pencil->q, pencil->p[0]) / (key_span * key_span));
     const bool degenerate = fabs(f.a) < smallest;
     if (degenerate) /* one crossing goes to infinity; c's sign decides what is inside */
-        f.a = smallest;
+        f.a = VANISHING_A * smallest;
     for (int n = 0; n < 6; n++) {
         const int i = index[n][0], j = index[n][1];
         const double twice = i == j ? 1 : 2;

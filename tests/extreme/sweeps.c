@@ -250,17 +250,17 @@ static void make_fov(struct shot *shot, struct dice *dice, double value, int ind
 #define VALUES(array) array, COUNT(array)
 
 const struct sweep sweeps[] = {
-    {"distance", "distance / radius", VALUES(distances), 2 * NUM_KINDS, {0, 1e5}, false,
+    {"distance", "distance / radius", VALUES(distances), 2 * NUM_KINDS, {0, 1e6}, false,
      make_distance},
-    {"aspect", "length / width", VALUES(aspects), 8 * NUM_KINDS, {0, 1e4}, false, make_aspect},
-    {"map", "condition", VALUES(conditions), 8, {0, 1e6}, false, make_map},
+    {"aspect", "length / width", VALUES(aspects), 8 * NUM_KINDS, {0, 1e6}, false, make_aspect},
+    {"map", "condition", VALUES(conditions), 8, {0, 1e8}, false, make_map},
     {"scale", "unit", VALUES(scales), NUM_KINDS, {0, 1e6}, false, make_scale},
-    {"sliver", "height / width", VALUES(heights), 4, {1e-4, 1}, false, make_sliver},
+    {"sliver", "height / width", VALUES(heights), 4, {0, 1}, false, make_sliver},
     {"along", "turned by", VALUES(offsets), 2 * NUM_KINDS, {0, 1}, false, make_along},
     {"eigenvalues", "ratio", VALUES(ratios), 28, {0, 1e8}, false, make_eigen},
-    {"shell", "thickness / size", VALUES(shells), 2 * NUM_KINDS, {1e-5, 1}, false, make_shell},
+    {"shell", "thickness / size", VALUES(shells), 2 * NUM_KINDS, {0, 1}, false, make_shell},
     {"tangent", "gap", VALUES(gaps), 8, {-1, 1}, true, make_tangent},
-    {"eye", "height over a face", VALUES(nears), 2 * NUM_KINDS, {0.1, 1}, false, make_eye},
-    {"field of view", "degrees", VALUES(fovs), NUM_KINDS, {0, 120}, false, make_fov},
+    {"eye", "height over a face", VALUES(nears), 2 * NUM_KINDS, {0, 1}, false, make_eye},
+    {"field of view", "degrees", VALUES(fovs), NUM_KINDS, {0, 180}, false, make_fov},
 };
 const int num_sweeps = COUNT(sweeps);
