@@ -46,6 +46,7 @@ static const struct count_row count_rows[] = {
     {"max_crossings", "crossings at most", offsetof(struct csgcast_scene_info, max_crossings)},
     COUNT(exact, "exact"),
     COUNT(facetted, "facetted"),
+    COUNT(handed_off, "by openscad"),
     COUNT(highlighted, "highlighted (#)"),
     COUNT(background, "background (%)"),
     COUNT(dropped, "left out"),
@@ -61,7 +62,28 @@ static size_t get_count(const struct report *report, const struct count_row *row
 
 /* ---- for people ----------------------------------------------------------------------------- */
 
-static void print_text(const struct report *report, bool stats)
+static const char *const way_names[] = {
+    [CSGCAST_WAY_EXACT] = "exact",
+    [CSGCAST_WAY_FACETTED] = "facetted",
+    [CSGCAST_WAY_MESH] = "mesh",
+    [CSGCAST_WAY_OPENSCAD] = "openscad",
+};
+
+static void print_ways(const struct report *report, const char *input)
+{
+    for (size_t i = 0; i < report->scene.num_ways; i++) {
+        const struct csgcast_scene_way *way = &report->scene.ways[i];
+        printf("%-18s %zu %s%s, %s%s:%u:%u%s%s", way_names[way->way], way->num_nodes, way->name,
+               way->num_leaves > way->num_nodes ? " (of several leaves)" : "",
+               way->num_nodes > 1 ? "first " : "", input, way->line, way->column,
+               way->reason ? ": " : "", way->reason ? way->reason : "");
+        if (way->way == CSGCAST_WAY_OPENSCAD)
+            printf(" (%.1f s%s)", way->seconds, way->cached ? ", from the cache" : "");
+        printf("\n");
+    }
+}
+
+static void print_text(const struct report *report, const char *input, bool stats)
 {
     printf("kinds              ");
     for (size_t i = 0; i < report->scene.num_kinds; i++)
@@ -70,6 +92,7 @@ static void print_text(const struct report *report, bool stats)
     printf("%s\n", report->scene.num_kinds ? "" : "none");
     for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
         printf("%-18s %zu\n", count_rows[i].label, get_count(report, &count_rows[i]));
+    print_ways(report, input);
     if (report->has_bounds)
         printf("bounds             %g %g %g to %g %g %g\n", report->lo[0], report->lo[1],
                report->lo[2], report->hi[0], report->hi[1], report->hi[2]);
@@ -101,6 +124,29 @@ static void print_frame_json(struct csg_json *json, const struct report *report,
     csg_json_size(json, "texture_bytes", report->frame.texture_bytes);
 }
 
+static void print_ways_json(struct csg_json *json, const struct report *report)
+{
+    csg_json_list_open(json, "ways");
+    for (size_t i = 0; i < report->scene.num_ways; i++) {
+        const struct csgcast_scene_way *way = &report->scene.ways[i];
+        csg_json_open(json, NULL);
+        csg_json_string(json, "way", way_names[way->way]);
+        csg_json_string(json, "name", way->name);
+        csg_json_size(json, "nodes", way->num_nodes);
+        csg_json_size(json, "leaves", way->num_leaves);
+        csg_json_size(json, "line", way->line);
+        csg_json_size(json, "column", way->column);
+        if (way->reason)
+            csg_json_string(json, "reason", way->reason);
+        if (way->way == CSGCAST_WAY_OPENSCAD) {
+            csg_json_number(json, "seconds", way->seconds);
+            csg_json_bool(json, "cached", way->cached);
+        }
+        csg_json_close(json);
+    }
+    csg_json_list_close(json);
+}
+
 static void print_json(const struct report *report, const char *input, bool stats)
 {
     struct csg_json json = {.file = stdout};
@@ -113,6 +159,7 @@ static void print_json(const struct report *report, const char *input, bool stat
     csg_json_close(&json);
     for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
         csg_json_size(&json, count_rows[i].key, get_count(report, &count_rows[i]));
+    print_ways_json(&json, report);
     if (report->has_bounds) {
         csg_json_vector(&json, "lo", report->lo);
         csg_json_vector(&json, "hi", report->hi);
@@ -163,7 +210,7 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
     if (options->json)
         print_json(&report, options->input, options->stats);
     else
-        print_text(&report, options->stats);
+        print_text(&report, options->input, options->stats);
     csgcast_scene_destroy(scene);
     if (fflush(stdout) || ferror(stdout)) {
         csg_cli_error("cannot write to standard output");

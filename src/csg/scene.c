@@ -8,6 +8,7 @@
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/program.h"
+#include "csg/ways.h"
 #include "csg/sharpness.h"
 #include "mesh/surface.h"
 
@@ -31,6 +32,7 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
 void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
     free(scene->sharpness);
+    free(scene->ways.data);
     csg_plan_destroy(scene->plan);
     csg_carriers_destroy(scene->carriers);
     if (scene->objects)
@@ -46,6 +48,7 @@ void csg_scene_destroy(struct csgcast_scene *scene)
     for (size_t i = 0; i < scene->num_leaves; i++)
         csg_shape_finish(&scene->leaves[i].shape);
     free(scene->leaves);
+    free(scene->handed_off.data);
     free(scene->name);
     free(scene);
 }
@@ -175,7 +178,7 @@ static bool finish(struct csgcast_scene *scene)
     bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = simplify(scene, &scene->trees[layer], &kept[layer]);
-    ok = ok && fill_from_trees(scene);
+    ok = ok && fill_from_trees(scene) && csg_ways_fill(scene);
     for (int layer = 0; layer < CSG_NUM_LAYERS && scene->keeps_structure; layer++) {
         ok = ok && csg_tree_keep_structure(scene, &kept[layer], &scene->trees[layer]);
         free(scene->trees[layer].data);

@@ -25,6 +25,19 @@ enum csg_layer {
     CSG_NUM_LAYERS
 };
 
+/* A node that openscad has evaluated. */
+struct csg_handed_off_node {
+    char name[32], reason[160];
+    uint32_t line, column;
+    double seconds;
+    bool is_cached;
+};
+
+struct csg_scene_ways {
+    struct csgcast_scene_way *data;
+    size_t num, capacity;
+};
+
 struct csg_objects;
 struct csg_carriers;
 struct csg_edits;
@@ -42,6 +55,7 @@ struct csgcast_scene {
     struct csg_leaf *leaves; /* in file order: the public leaf index */
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];
+    CSG_ARRAY(struct csg_handed_off_node) handed_off;
 
     /* Filled by csg_scene_finish: */
     struct csg_objects *objects;   /* drawn one by one */
@@ -52,6 +66,7 @@ struct csgcast_scene {
     struct csg_box written;        /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;
     struct csgcast_kind_count kinds[CSG_NUM_LEAF_KINDS];
+    struct csg_scene_ways ways;
 };
 
 /* A zeroed scene with log and name set; NULL, with a message, when memory is out. */

@@ -64,6 +64,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
     next.carriers = NULL;
     next.plan = NULL;
     next.sharpness = NULL;
+    next.ways = (struct csg_scene_ways){0};
     memset(next.trees, 0, sizeof next.trees);
     next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped};
     next.keeps_structure = true;

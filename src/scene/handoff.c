@@ -51,6 +51,31 @@ bool csg_handoff_want(struct csg_handoff *handoff, uint32_t node, uint8_t dimens
     return csg_array_push(&handoff->nodes, wanted);
 }
 
+static struct csg_handed_off_node describe(const struct csg_handoff *handoff,
+                                           const struct csg_handed_off *handed_off)
+{
+    const struct csg_parsed_node *parsed = &handoff->document->nodes.data[handed_off->node];
+    const struct csg_handoff_result *result = &handoff->results.data[handed_off->result];
+    struct csg_handed_off_node node = {.line = parsed->place.line,
+                                       .column = parsed->place.column,
+                                       .seconds = result->seconds,
+                                       .is_cached = result->is_cached};
+    const size_t length = sizeof node.name - 1;
+    snprintf(node.name, sizeof node.name, "%.*s",
+             (int)(parsed->name_length < length ? parsed->name_length : length),
+             handoff->document->text + parsed->at);
+    snprintf(node.reason, sizeof node.reason, "%s", handed_off->reason);
+    return node;
+}
+
+bool csg_handoff_note(const struct csg_handoff *handoff, struct csgcast_scene *scene)
+{
+    bool ok = true;
+    for (size_t i = 0; i < handoff->num_evaluated && ok; i++)
+        ok = csg_array_push(&scene->handed_off, describe(handoff, &handoff->nodes.data[i]));
+    return ok || csg_log_memory(&scene->log);
+}
+
 /* ---- in the place of the node --------------------------------------------------------------- */
 
 static bool copy_mesh(const struct csg_mesh *from, struct csg_mesh *mesh)

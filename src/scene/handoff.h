@@ -56,6 +56,9 @@ static inline bool csg_handoff_is_wanted(const struct csg_handoff *handoff)
  * with skip_unsupported as a warning. false, with a message, when memory is out. */
 bool csg_handoff_run(struct csg_handoff *handoff, struct csg_report *report);
 
+/* Notes in the scene what was evaluated, for its info. false, with a message, when memory is out. */
+bool csg_handoff_note(const struct csg_handoff *handoff, struct csgcast_scene *scene);
+
 /* What was made of the node; NULL: nothing. */
 const struct csg_handed_off *csg_handoff_find(const struct csg_handoff *handoff, uint32_t node);
 

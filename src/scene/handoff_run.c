@@ -289,10 +289,11 @@ static bool finish_job(struct run *run, size_t index)
         fail_job(run, job);
     } else if (ok) {
         const double seconds = csg_clock_ms() / 1000 - job->begun;
-        ok = make_value(&job->process.output, seconds, &stl, &value);
-        if (ok)
+        const struct csg_mesh *mesh = &run->handoff->results.data[job->result].mesh;
+        ok = make_value(&job->process.output, seconds, &stl, &value) &&
+             take_value(run, job, &value);
+        if (ok && (stl.num == 0 || mesh->faces.num > 0))
             csg_cache_put(&run->cache, &job->key, &value);
-        ok = ok && take_value(run, job, &value);
     }
     free(name);
     free(stl.data);

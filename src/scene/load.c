@@ -42,6 +42,12 @@ static struct csgcast_scene *build(const struct csg_document *document,
     return NULL;
 }
 
+static struct csgcast_scene *fail(struct csgcast_scene *scene)
+{
+    csgcast_scene_destroy(scene);
+    return NULL;
+}
+
 /* Builds until nothing more is wanted from openscad; what earlier rounds said no longer holds. */
 static struct csgcast_scene *build_all(const struct csg_document *document,
                                        const struct csgcast_scene_params *params,
@@ -54,7 +60,7 @@ static struct csgcast_scene *build_all(const struct csg_document *document,
             build(document, params, origins, round < max_rounds ? handoff : NULL, report);
         if (!scene || report->num[CSGCAST_LOG_ERROR] > 0 || !csg_handoff_is_wanted(handoff)) {
             csg_report_release(report);
-            return scene;
+            return scene && csg_handoff_note(handoff, scene) ? scene : fail(scene);
         }
         csg_report_drop(report);
         csgcast_scene_destroy(scene);

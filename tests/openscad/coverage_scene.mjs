@@ -125,8 +125,8 @@ async function draw(scene, stem, options) {
     const counts = info.status === 0 ? JSON.parse(info.out) : {};
     return {
         result: "ok", leaves: counts.leaves, exact: counts.exact, facetted: counts.facetted,
-        kernel: counts.handed_off?.length ?? counts.num_handed_off ?? 0,
-        reasons: [...new Set((counts.handed_off ?? []).map((one) => one.reason))],
+        kernel: counts.handed_off ?? 0, reasons: [...new Set((counts.ways ?? [])
+            .filter((way) => way.way === "openscad").map((way) => way.reason))],
     };
 }
 

@@ -124,6 +124,26 @@ struct csgcast_kind_count {
     size_t count;     /* leaves of this kind */
 };
 
+/* How a node's surface comes about. */
+enum csgcast_way {
+    CSGCAST_WAY_EXACT,    /* as meant: quadrics, and what is polyhedral by nature */
+    CSGCAST_WAY_FACETTED, /* OpenSCAD's facets in place of a curved surface */
+    CSGCAST_WAY_MESH,     /* a mesh of triangles */
+    CSGCAST_WAY_OPENSCAD, /* a mesh that openscad's kernel has made, or a drawing */
+};
+
+/* Nodes of one name that come about in one way; of CSGCAST_WAY_OPENSCAD each for itself. */
+struct csgcast_scene_way {
+    enum csgcast_way way;
+    const char *name;      /* of the node, e.g. "cylinder" */
+    const char *reason;    /* why it is not exact; NULL where it is */
+    size_t num_nodes;
+    size_t num_leaves;     /* that they became; 0 for a drawing, which is part of other nodes */
+    unsigned line, column; /* of the first of them; of .scad: in the flattened text */
+    double seconds;        /* OPENSCAD: that openscad took, now or when it went to the cache */
+    bool cached;           /* OPENSCAD: it comes from the cache */
+};
+
 struct csgcast_scene_info {
     size_t num_leaves;      /* solids that take part, highlighted and background ones included */
     size_t num_nodes;       /* Boolean nodes after simplification */
@@ -140,6 +160,9 @@ struct csgcast_scene_info {
     size_t max_crossings;   /* most boundary crossings that one ray can have */
     size_t num_kinds;       /* entries in kinds */
     const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
+    size_t num_handed_off;  /* nodes that openscad has evaluated */
+    size_t num_ways;        /* entries in ways */
+    const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
 };
 
 CSGCAST_API void csgcast_scene_get_info(const struct csgcast_scene *scene,

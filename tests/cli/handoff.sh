@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# handoff.sh CSGCAST: subtrees that only openscad can evaluate, and the cache of what it made of
+# them. The scenes use projection() of a Boolean: where that becomes native, take another node.
+
+csgcast=$(readlink -f "$1")
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$0")/checks.sh"
+unset OPENSCAD XDG_CACHE_HOME CSGCAST_CACHE_SIZE
+export CSGCAST_CACHE=$work/cache
+mkdir -p parts elsewhere
+
+# scene NAME SIZE: a plate with the shadow of a bored block of that size.
+scene()
+{
+    cat >"$1" <<END
+difference() {
+	cube(size = [10, 10, 2]);
+	linear_extrude(height = 5) {
+		projection(cut = false, convexity = 0) {
+			difference() {
+				cube(size = [$2, 4, 4], center = false);
+				multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, -1], [0, 0, 0, 1]]) {
+					cylinder(\$fn = 8, \$fa = 12, \$fs = 2, h = 9, r1 = 1, r2 = 1);
+				}
+			}
+		}
+	}
+}
+END
+}
+
+# prints_way TEXT: info has such a line about openscad.
+prints_way()
+{
+    grep "^openscad" out | grep -qF -- "$1"
+    report $? "info says \"$1\""
+}
+
+entries()
+{
+    find "$1" -name '*.csgcast' 2>/dev/null | wc -l
+}
+
+scene a.csg 4
+expect 0 "a node is handed over" info a.csg --no-gl
+prints_way "projection, a.csg:4:3"
+prints "by openscad        1"
+check "one entry in the cache" test "$(entries cache)" = 1
+expect 0 "again" info a.csg --no-gl
+prints_way "from the cache"
+expect 0 "without the cache" info a.csg --no-gl --no-cache
+check "not from the cache" test "$(grep -c 'from the cache' out)" = 0
+
+# The plate has 200 - 2 (16 - the octagon's area): both 2D and 3D results end up at their places.
+expect 0 "drawn" render a.csg -o a.png --imgsize=64,64 --camera=5,5,30,5,5,0
+check "a picture" is_png a.png
+expect 1 "not handed over" info a.csg --no-gl --no-handoff
+says "a.csg:4:3: projection is not supported yet; --skip-unsupported draws the rest"
+
+OPENSCAD=/nowhere/openscad expect 1 "no openscad" info a.csg --no-gl
+says "a.csg:4:3: projection: only openscad can evaluate it, and '/nowhere/openscad' does not run"
+OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported
+says "warning: a.csg:4:3"
+
+# A stand-in that fails, one that dies, one that writes nonsense.
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho "ERROR: no such thing"; exit 1\n' >fails
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\nkill -9 $$\n' >dies
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho nonsense >"$2"\n' >nonsense
+chmod +x fails dies nonsense
+OPENSCAD=./fails expect 1 "openscad fails" info a.csg --no-gl
+says "error: a.csg:4:3: openscad: ERROR: no such thing"
+says "openscad reports an error (exit status 1)"
+OPENSCAD=./dies expect 1 "openscad is killed" info a.csg --no-gl
+says "openscad was killed by signal 9"
+OPENSCAD=./nonsense expect 1 "openscad writes nonsense" info a.csg --no-gl
+says "its STL file cannot be read"
+check "none of these is in the cache" test "$(entries cache)" = 1
+
+# Corrupt entries are as good as none.
+for file in cache/*.csgcast; do
+    printf x | dd of="$file" bs=1 seek=100 conv=notrunc 2>dd.log
+done
+expect 0 "a corrupt entry" info a.csg --no-gl
+check "is not used" test "$(grep -c 'from the cache' out)" = 0
+for file in cache/*.csgcast; do
+    truncate -s 30 "$file"
+done
+expect 0 "a short entry" info a.csg --no-gl
+is_silent
+rm -f dd.log
+
+# The bound: what was not used for the longest time goes.
+rm -rf cache
+expect 0 "first" info a.csg --no-gl
+size=$(stat -c %s cache/*.csgcast)
+touch -d '1 hour ago' cache/*.csgcast
+scene b.csg 5
+scene c.csg 6
+expect 0 "second" info b.csg --no-gl
+touch -d '30 minutes ago' "$(find cache -name '*.csgcast' -newermt '10 minutes ago')"
+expect 0 "the first is used" info a.csg --no-gl
+expect 0 "third, with room for two" info c.csg --no-gl \
+    --cache-size="$(awk "BEGIN { print 2.5 * $size / 1048576 }")"
+check "two entries are left" test "$(entries cache)" = 2
+expect 0 "the first" info a.csg --no-gl
+prints_way "from the cache"
+expect 0 "the second" info b.csg --no-gl
+check "had to go" test "$(grep -c 'from the cache' out)" = 0
+
+# Imported files belong to the key, found from the scene's folder.
+cat >parts/cut.scad <<'END'
+linear_extrude(1) projection() difference() { import("block.stl"); cube(1); }
+END
+block()
+{
+    echo "cube([$1, 3, 3]);" >block.scad
+    openscad -o "$2" block.scad >openscad.log 2>&1 || cat openscad.log
+    rm -f block.scad openscad.log
+}
+block 3 parts/block.stl
+(cd elsewhere && "$csgcast" info ../parts/cut.scad --no-gl >../out 2>../err)
+report $? "an import in another folder"
+prints "bounds             0 0 0 to 3 3 1"
+block 5 parts/block.stl
+expect 0 "the file has changed" info parts/cut.scad --no-gl
+prints "bounds             0 0 0 to 5 3 1"
+rm parts/block.stl
+expect 0 "the file is gone" info parts/cut.scad --no-gl
+says "WARNING: Can't open import file"
+prints "bounds             empty"
+
+# Nowhere to write: no word about it.
+rm -rf cache
+CSGCAST_CACHE='' XDG_CACHE_HOME='' HOME=/nowhere expect 0 "an empty \$CSGCAST_CACHE" info a.csg --no-gl
+is_silent
+(unset CSGCAST_CACHE HOME XDG_CACHE_HOME && "$csgcast" info a.csg --no-gl >out 2>err)
+report $? "no home"
+is_silent
+CSGCAST_CACHE=/proc/nowhere expect 0 "a folder that cannot be made" info a.csg --no-gl
+is_silent
+(unset CSGCAST_CACHE && XDG_CACHE_HOME=$work/xdg "$csgcast" info a.csg --no-gl >out 2>err)
+check "the XDG folder" test "$(entries xdg/csgcast)" = 1
+(unset CSGCAST_CACHE && HOME=$work/home "$csgcast" info a.csg --no-gl >out 2>err)
+check "the home folder" test "$(entries home/.cache/csgcast)" = 1
+
+# csgcast cache
+expect 0 "info fills it" info a.csg --no-gl
+echo mine >cache/notes.txt
+expect 0 "cache" cache
+prints "path               $work/cache"
+prints "entries            1"
+expect 0 "cache for machines" cache --json
+prints '"entries": 1'
+expect 0 "another cache" cache --cache="$work/xdg/csgcast"
+prints "entries            1"
+expect 0 "clear" cache --clear
+check "nothing of ours is left" test "$(entries cache)" = 0
+check "what is not ours is" test -f cache/notes.txt
+expect 0 "clear an empty one" cache --clear
+expect 2 "a scene" cache a.csg
+says "takes no scene"
+finish
