@@ -88,6 +88,7 @@ static void print_json(struct csg_json *json, const char *input,
     csg_json_number(json, "min", result->frame_ms.min);
     csg_json_number(json, "max", result->frame_ms.max);
     csg_json_close(json);
+    csg_json_number(json, "work_ms", result->work_ms.median);
     csg_json_number(json, "cpu_ms", result->cpu_ms.median);
     csg_json_number(json, "edit_ms", result->edit_ms.median);
     csg_json_size(json, "programs", result->stats.programs);
@@ -101,17 +102,18 @@ static void print_json(struct csg_json *json, const char *input,
 
 static void print_head(void)
 {
-    printf("%-24s %8s %9s %9s %9s %9s %9s %4s %9s %9s %8s\n", "scene", "leaves", "first ms",
-           "frame ms", "min", "max", "cpu ms", "prog", "compile", "upload kB", "peak MB");
+    printf("%-24s %8s %9s %9s %9s %9s %9s %9s %4s %9s %9s %8s\n", "scene", "leaves", "first ms",
+           "frame ms", "min", "max", "work ms",
+           "cpu ms", "prog", "compile", "upload kB", "peak MB");
 }
 
 static void print_row(const char *input, const struct csg_measurement *result)
 {
     const char *slash = strrchr(input, '/');
-    printf("%-24s %8zu %9.1f %9.2f %9.2f %9.2f %9.2f %4zu %9.1f %9.1f %8.1f\n",
+    printf("%-24s %8zu %9.1f %9.2f %9.2f %9.2f %9.2f %9.2f %4zu %9.1f %9.1f %8.1f\n",
            slash ? slash + 1 : input, result->num_leaves, result->first_image_ms,
            result->frame_ms.median, result->frame_ms.min, result->frame_ms.max,
-           result->cpu_ms.median, result->stats.programs, result->compile_ms,
+           result->work_ms.median, result->cpu_ms.median, result->stats.programs, result->compile_ms,
            1e-3 * (double)result->stats.bytes_uploaded, 1e-6 * (double)result->peak_rss);
     fflush(stdout);
 }
@@ -149,8 +151,8 @@ const struct csg_cli_command csg_command_bench = {
     .usage = "FILE... [OPTION...]",
     .text = "Draws each scene again and again and prints, in milliseconds, the first image (from\n"
             "the file, with the OpenGL context and the compiling of programs), the median and the\n"
-            "range of the frames after it, the part of them that the CPU prepares, and programs,\n"
-            "uploaded bytes and the peak of memory. Each scene gets a process of its own. Nothing\n"
+            "range of the frames after it, their processor time on all cores together, the part\n"
+            "that csgcast prepares on the CPU, and programs, uploaded bytes and the peak of memory. Each scene gets a process of its own. Nothing\n"
             "is written to image files.\n",
     .tail = "  csgcast bench part.scad\n"
             "  csgcast bench a.csg b.csg --imgsize=1024,1024 --frames=36 --orbit --json\n"

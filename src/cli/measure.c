@@ -14,11 +14,16 @@
 #define EDIT_STEP 0.01   /* of the scene's size: how far a leaf is moved at most */
 #define DEGREE (3.14159265358979323846 / 180)
 
-static double now_ms(void)
+static double clock_ms(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+static double now_ms(void)
+{
+    return clock_ms(CLOCK_MONOTONIC);
 }
 
 static int compare(const void *a, const void *b)
@@ -100,7 +105,7 @@ struct run {
     struct csgcast_view view;
     struct csgcast_image image;
     struct edited edited;
-    double *frame_ms, *cpu_ms, *edit_ms; /* num_frames each */
+    double *frame_ms, *work_ms, *cpu_ms, *edit_ms; /* num_frames each */
     struct csg_measurement *result;
 };
 
@@ -134,7 +139,7 @@ static bool draw_first(struct run *run)
 
 static bool draw_frame(struct run *run, int frame)
 {
-    const double begun = now_ms();
+    const double begun = now_ms(), worked = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     if (run->options->orbit)
         turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
     if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
@@ -143,6 +148,7 @@ static bool draw_frame(struct run *run, int frame)
     if (!draw(run))
         return false;
     run->frame_ms[frame] = now_ms() - begun;
+    run->work_ms[frame] = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - worked;
     run->cpu_ms[frame] = run->result->stats.cpu_ms;
     if (is_verbose(run))
         fprintf(stderr, "\r%s: frame %d of %d \r", run->input, frame + 1, run->result->num_frames);
@@ -163,6 +169,7 @@ static bool draw_frames(struct run *run)
     if (!good)
         return false;
     result->frame_ms = spread_of(run->frame_ms, num);
+    result->work_ms = spread_of(run->work_ms, num);
     result->cpu_ms = spread_of(run->cpu_ms, num);
     result->edit_ms = spread_of(run->edit_ms, num);
     return true;
@@ -173,7 +180,7 @@ static bool measure(struct run *run)
     const size_t pixels = (size_t)run->view.width * (size_t)run->view.height;
     const size_t num = (size_t)run->result->num_frames;
     run->image.rgba = malloc(4 * pixels * sizeof *run->image.rgba);
-    run->frame_ms = calloc(3 * num, sizeof *run->frame_ms);
+    run->frame_ms = calloc(4 * num, sizeof *run->frame_ms);
     if (!run->image.rgba || !run->frame_ms) {
         csg_cli_error("out of memory for an image of %d x %d pixels", run->view.width,
                       run->view.height);
@@ -181,6 +188,7 @@ static bool measure(struct run *run)
     }
     run->cpu_ms = run->frame_ms + num;
     run->edit_ms = run->cpu_ms + num;
+    run->work_ms = run->edit_ms + num;
     if (!draw_first(run) || !draw_frames(run))
         return false;
     run->result->num_leaves = csgcast_scene_num_leaves(run->scene);

@@ -19,6 +19,7 @@ struct csg_measurement {
     double load_ms;             /* the scene file */
     double first_image_ms;      /* load, context, programs and the first frame */
     struct csg_spread frame_ms; /* later frames, with their edits */
+    struct csg_spread work_ms;  /* of them: processor time, all cores together */
     struct csg_spread cpu_ms;   /* of them: preparing in double precision */
     struct csg_spread edit_ms;  /* of them: csgcast_scene_edit */
     double compile_ms;          /* all programs */

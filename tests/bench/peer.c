@@ -12,11 +12,16 @@
 
 const unsigned char peer_background[3] = {255, 255, 229};
 
-static double now_ms(void)
+static double clock_ms(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+static double now_ms(void)
+{
+    return clock_ms(CLOCK_MONOTONIC);
 }
 
 static bool parse_option(struct peer *peer, const char *text)
@@ -136,10 +141,17 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+static double median(double *values, int num)
+{
+    qsort(values, (size_t)num, sizeof *values, compare);
+    return 0.5 * (values[num / 2] + values[(num - 1) / 2]);
+}
+
 static bool draw_frames(const struct peer *peer, peer_draw_fn *draw, void *user,
                         unsigned char *rgba, double *times, bool flipped)
 {
     const int num = peer->num_frames;
+    double *work = times + num;
     struct peer_camera camera = peer_camera(peer, 0);
     bool good = draw(user, &camera, rgba);
     const double first = now_ms() - peer->begun;
@@ -147,21 +159,20 @@ static bool draw_frames(const struct peer *peer, peer_draw_fn *draw, void *user,
         good = write_picture(peer, rgba, flipped);
     for (int frame = 0; frame < num && good; frame++) {
         camera = peer_camera(peer, frame + 1);
-        const double begun = now_ms();
+        const double begun = now_ms(), worked = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
         good = draw(user, &camera, rgba);
         times[frame] = now_ms() - begun;
+        work[frame] = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - worked;
     }
-    qsort(times, (size_t)num, sizeof *times, compare);
     if (good)
-        printf("%.3f %.3f %.3f %.1f\n",
-               0.5 * (times[num / 2] + times[(num - 1) / 2]), times[0], times[num - 1], first);
+        printf("%.3f %.3f %.1f\n", median(times, num), median(work, num), first);
     return good;
 }
 
 bool peer_run(const struct peer *peer, peer_draw_fn *draw, void *user, bool flipped)
 {
     unsigned char *rgba = malloc(4 * (size_t)peer->width * (size_t)peer->height);
-    double *times = calloc((size_t)peer->num_frames, sizeof *times);
+    double *times = calloc(2 * (size_t)peer->num_frames, sizeof *times);
     const bool good = rgba && times && draw_frames(peer, draw, user, rgba, times, flipped);
     free(rgba);
     free(times);

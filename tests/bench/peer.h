@@ -8,8 +8,9 @@
  *
  *     PEER MODE INPUT --camera=ex,ey,ez,cx,cy,cz --imgsize=W,H --frames=N -o FIRST.ppm
  *
- * prints "median min max first" in milliseconds: frames after the first image, which goes to the
- * file, and the first one with its preparations. Frames include the picture in the caller's memory.
+ * prints "frame work first" in milliseconds: medians of the frames after the first image, by the
+ * clock and as processor time of all cores; and the first image, which goes to the file, with its
+ * preparations. Frames include the picture in the caller's memory.
  */
 
 #include <stdbool.h>
