@@ -67,6 +67,44 @@ bool csg_drawing_is_facetted(const struct csg_drawing *drawing, uint32_t begin, 
     return false;
 }
 
+bool csg_figure_is_round(const struct csg_figure *figure, double *radius)
+{
+    const double(*m)[4] = figure->disc.m;
+    *radius = hypot(m[0][0], m[1][0]);
+    return figure->is_disc && fabs(hypot(m[0][1], m[1][1]) - *radius) <= 1e-12 * *radius &&
+           fabs(m[0][0] * m[0][1] + m[1][0] * m[1][1]) <= 1e-12 * *radius * *radius;
+}
+
+static void map_figure(struct csg_drawing *drawing, struct csg_figure *figure,
+                       const struct csg_map *map)
+{
+    figure->disc = csg_map_multiply(map, &figure->disc);
+    for (uint32_t i = figure->begin; i < figure->end; i++)
+        for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++) {
+            struct csg_vec2 *at = &drawing->points.data[j];
+            const struct csg_vec3 p = csg_map_point(map, csg_vec3(at->x, at->y, 0));
+            *at = (struct csg_vec2){p.x, p.y};
+        }
+}
+
+bool csg_drawing_map(struct csg_drawing *drawing, uint32_t begin, uint32_t end,
+                     const struct csg_map *map, double stretch)
+{
+    bool *done = calloc(drawing->figures.num + 1, sizeof *done);
+    if (!done)
+        return false;
+    for (uint32_t i = begin; i < end; i++) {
+        const struct csg_draw_node *node = &drawing->nodes.data[i];
+        if (node->op != CSG_DRAW_FIGURE || done[node->figure])
+            continue;
+        map_figure(drawing, &drawing->figures.data[node->figure], map);
+        drawing->figures.data[node->figure].rounding *= stretch;
+        done[node->figure] = true;
+    }
+    free(done);
+    return true;
+}
+
 struct csg_box csg_figure_written(const struct csg_drawing *drawing,
                                   const struct csg_figure *figure)
 {

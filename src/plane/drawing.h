@@ -76,6 +76,14 @@ double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, u
 /* Whether some figure in nodes [begin, end) stands for circles. */
 bool csg_drawing_is_facetted(const struct csg_drawing *drawing, uint32_t begin, uint32_t end);
 
+/* Whether the figure is a circle's disc; radius gets its. */
+bool csg_figure_is_round(const struct csg_figure *figure, double *radius);
+
+/* Maps the figures in nodes [begin, end), each once; the map leaves z alone. rounding grows by
+ * stretch. false: out of memory. */
+bool csg_drawing_map(struct csg_drawing *drawing, uint32_t begin, uint32_t end,
+                     const struct csg_map *map, double stretch);
+
 /* Bounds a figure; z is 0. */
 struct csg_box csg_figure_written(const struct csg_drawing *drawing,
                                   const struct csg_figure *figure);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "plane/outline.h"
+#include "plane/wrap.h"
 
 #define PI 3.14159265358979323846264338327950288
 
@@ -18,26 +19,14 @@ struct balls {
     CSG_ARRAY(struct ball) list;
 };
 
-struct points {
-    CSG_ARRAY(struct csg_vec2) list;
-};
-
 /* ---- what is to be wrapped ---------------------------------------------------------------- */
 
-static bool is_round(const struct csg_figure *figure, double *radius)
-{
-    const double(*m)[4] = figure->disc.m;
-    *radius = hypot(m[0][0], m[1][0]);
-    return figure->is_disc && fabs(hypot(m[0][1], m[1][1]) - *radius) <= 1e-12 * *radius &&
-           fabs(m[0][0] * m[0][1] + m[1][0] * m[1][1]) <= 1e-12 * *radius * *radius;
-}
-
 static bool collect(const struct csg_drawing *drawing, uint32_t index, struct balls *discs,
-                    struct points *points)
+                    struct csg_flat_points *points)
 {
     const struct csg_figure *figure = &drawing->figures.data[index];
     struct ball ball = {.figure = index};
-    if (is_round(figure, &ball.radius)) {
+    if (csg_figure_is_round(figure, &ball.radius)) {
         ball.center = (struct csg_vec2){figure->disc.m[0][3], figure->disc.m[1][3]};
         return csg_array_push(&discs->list, ball);
     }
@@ -56,50 +45,6 @@ static bool is_union(const struct csg_drawing *drawing, uint32_t node)
         if (op != CSG_DRAW_UNION && op != CSG_DRAW_FIGURE)
             return false;
     }
-    return true;
-}
-
-/* ---- points ------------------------------------------------------------------------------- */
-
-static int compare_points(const void *a, const void *b)
-{
-    const struct csg_vec2 *p = a, *q = b;
-    if (p->x != q->x)
-        return p->x < q->x ? -1 : 1;
-    return p->y < q->y ? -1 : p->y > q->y;
-}
-
-static double area(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2 c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/* Andrew's monotone chains: the lower one from left to right, the upper one back. */
-static bool wrap_points(struct points *points)
-{
-    const size_t num = points->list.num;
-    struct csg_vec2 *p = points->list.data;
-    struct csg_vec2 *hull = malloc((2 * num + 1) * sizeof *hull);
-    size_t top = 0;
-    if (!hull)
-        return false;
-    if (num)
-        qsort(p, num, sizeof *p, compare_points);
-    for (size_t i = 0; i < num; i++) {
-        while (top >= 2 && area(hull[top - 2], hull[top - 1], p[i]) <= 0)
-            top--;
-        hull[top++] = p[i];
-    }
-    const size_t lower = top + 1;
-    for (size_t i = num; num > 1 && i-- > 1;) {
-        while (top >= lower && area(hull[top - 2], hull[top - 1], p[i - 1]) <= 0)
-            top--;
-        hull[top++] = p[i - 1];
-    }
-    points->list.num = 0;
-    for (size_t i = 0; i + (num > 1) < top; i++)
-        p[points->list.num++] = hull[i];
-    free(hull);
     return true;
 }
 
@@ -153,7 +98,7 @@ static size_t next_ball(const struct balls *balls, size_t from, double theta, do
     return best;
 }
 
-static bool add_tangent(struct points *polygon, const struct ball *ball, double theta)
+static bool add_tangent(struct csg_flat_points *polygon, const struct ball *ball, double theta)
 {
     const struct csg_vec2 p = {ball->center.x + ball->radius * cos(theta),
                                ball->center.y + ball->radius * sin(theta)};
@@ -161,7 +106,7 @@ static bool add_tangent(struct points *polygon, const struct ball *ball, double 
 }
 
 /* The polygon of the points where the edges touch; used: the balls that the hull touches. */
-static bool wrap_balls(const struct balls *balls, struct points *polygon, bool *used)
+static bool wrap_balls(const struct balls *balls, struct csg_flat_points *polygon, bool *used)
 {
     const size_t num = balls->list.num;
     size_t at = furthest(balls);
@@ -186,14 +131,6 @@ static bool wrap_balls(const struct balls *balls, struct points *polygon, bool *
 
 /* ---- the figures -------------------------------------------------------------------------- */
 
-static bool add_polygon(struct csg_drawing *drawing, const struct points *points, double rounding)
-{
-    bool ok = csg_drawing_add_figure(drawing, rounding) && csg_drawing_add_contour(drawing);
-    for (size_t i = 0; i < points->list.num && ok; i++)
-        ok = csg_drawing_add_point(drawing, points->list.data[i].x, points->list.data[i].y);
-    return ok;
-}
-
 static bool add_disc(struct csg_drawing *drawing, uint32_t figure)
 {
     const struct csg_draw_node node = {
@@ -204,10 +141,11 @@ static bool add_disc(struct csg_drawing *drawing, uint32_t figure)
 static bool add_union(struct csg_drawing *drawing, const struct balls *balls, uint32_t node,
                       double rounding)
 {
-    struct points polygon = {0};
+    struct csg_flat_points polygon = {0};
     bool *used = calloc(balls->list.num + 1, sizeof *used);
     bool ok = used && wrap_balls(balls, &polygon, used) &&
-              csg_drawing_open(drawing, CSG_DRAW_UNION) && add_polygon(drawing, &polygon, rounding);
+              csg_drawing_open(drawing, CSG_DRAW_UNION) &&
+              csg_flat_points_draw(drawing, &polygon, rounding);
     for (size_t i = 0; i < balls->list.num && ok; i++)
         if (used[i] && balls->list.data[i].radius > 0)
             ok = add_disc(drawing, balls->list.data[i].figure);
@@ -224,15 +162,15 @@ static bool hull(struct csg_drawing *drawing, uint32_t node)
     const double rounding = csg_drawing_rounding(drawing, node, end);
     const bool facetted = csg_drawing_is_facetted(drawing, node, end);
     struct balls balls = {0};
-    struct points points = {0};
+    struct csg_flat_points points = {0};
     bool ok = true;
     for (uint32_t i = node; i < end && ok; i++)
         if (drawing->nodes.data[i].op == CSG_DRAW_FIGURE)
             ok = collect(drawing, drawing->nodes.data[i].figure, &balls, &points);
     csg_drawing_cut(drawing, node);
-    ok = ok && wrap_points(&points);
+    ok = ok && csg_flat_points_wrap(&points);
     if (ok && balls.list.num == 0) {
-        ok = add_polygon(drawing, &points, rounding);
+        ok = csg_flat_points_draw(drawing, &points, rounding);
     } else if (ok) {
         for (size_t i = 0; i < points.list.num && ok; i++)
             ok = csg_array_push(&balls.list, ((struct ball){.center = points.list.data[i]}));

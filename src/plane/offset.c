@@ -216,11 +216,10 @@ static bool move_disc(struct csg_drawing *drawing, uint32_t node, const struct c
             return false;
     struct csg_figure *figure = &drawing->figures.data[last->figure];
     double(*m)[4] = figure->disc.m;
-    const double r = hypot(m[0][0], m[1][0]);
-    const bool is_round = fabs(hypot(m[0][1], m[1][1]) - r) <= 1e-12 * r &&
-                          fabs(m[0][0] * m[0][1] + m[1][0] * m[1][1]) <= 1e-12 * r * r;
+    double r;
+    const bool is_round = csg_figure_is_round(figure, &r);
     const double factor = (r + offset->distance) / r;
-    if (!figure->is_disc || !is_round || !(factor > 0))
+    if (!is_round || !(factor > 0))
         return false;
     for (uint32_t i = figure->begin; i < figure->end; i++)
         for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++) {

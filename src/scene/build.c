@@ -106,7 +106,7 @@ static bool add_subtree(struct tree_builder *build, uint32_t root)
         } else if (csg_has_children(meaning)) {
             done = open_node(build, i, take_operand(build));
             i++;
-        } else if (meaning->role == CSG_ROLE_COMPOUND && meaning->leaf != CSG_NO_LEAF) {
+        } else if (csg_is_compound(meaning) && meaning->leaf != CSG_NO_LEAF) {
             done = push_part(build, meaning->leaf, take_operand(build));
             i = nodes[i].end;
         } else {

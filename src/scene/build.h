@@ -19,11 +19,12 @@
 
 /* What a node of the document is. */
 struct csg_meaning {
-    uint8_t role;    /* enum csg_role */
-    uint8_t kind;    /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
+    uint8_t role;      /* enum csg_role */
+    uint8_t kind;      /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
     uint8_t dimension; /* 2 or 3; 0: nothing in it says */
     bool is_covered; /* all of it is part of a highlighted subtree around it */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
+    bool is_slab; /* a drawing that no extrusion is around: csg_compound_slab draws it */
     bool is_misplaced; /* two-dimensional among solids or the other way round: no operand */
     /* ROLE_SOLID: the index of its leaf; ROLE_COMPOUND: of its tree's root in the builder's parts;
      * CSG_NO_LEAF when it is empty. */
@@ -54,7 +55,7 @@ struct csg_builder {
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
     struct csg_text_state text;
-    struct csg_tree parts;        /* the trees of the compounds, one behind the other */
+    struct csg_tree parts; /* the trees of the compounds, one behind the other */
 };
 
 struct csg_handoff;
@@ -88,6 +89,12 @@ static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t n
     return (builder->document->nodes.data[node].modifiers &
             (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) != 0 ||
            builder->meanings[node].is_misplaced;
+}
+
+/* Whether the node becomes a part. */
+static inline bool csg_is_compound(const struct csg_meaning *meaning)
+{
+    return meaning->role == CSG_ROLE_COMPOUND || meaning->is_slab;
 }
 
 /* Whether what is below the node takes part. */

@@ -69,18 +69,20 @@ static void check_nodes(struct csg_builder *builder)
     }
 }
 
-/* A drawing by itself is not supported yet. */
-static void report_flat(struct csg_builder *builder, uint32_t node)
+/* A drawing by itself: maps, colours and Booleans act on slabs as they do on solids. */
+static void make_slabs(struct csg_builder *builder, uint32_t root)
 {
-    const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
-    const bool skip = builder->skip_unsupported;
-    builder->meanings[node].is_misplaced = true;
-    csg_report_print(builder->report, skip ? CSGCAST_LOG_WARNING : CSGCAST_LOG_ERROR,
-                     CSGCAST_MESSAGE_UNSUPPORTED, parsed->place,
-                     "%.*s is two-dimensional; only what linear_extrude or rotate_extrude makes "
-                     "of it can be drawn%s",
-                     (int)parsed->name_length, builder->document->text + parsed->at,
-                     skip ? "; left out" : "");
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    for (uint32_t i = root; i < nodes[root].end;) {
+        struct csg_meaning *meaning = &builder->meanings[i];
+        const bool is_drawn = meaning->dimension == 2 && (meaning->role == CSG_ROLE_FIGURE ||
+                                                          meaning->role == CSG_ROLE_FLATTEN ||
+                                                          meaning->role == CSG_ROLE_COMPOUND);
+        meaning->is_slab = is_drawn;
+        if (is_drawn)
+            meaning->kind = CSG_KIND_DRAWING;
+        i = is_drawn || !csg_has_children(meaning) ? nodes[i].end : i + 1;
+    }
 }
 
 static void check_roots(struct csg_builder *builder)
@@ -94,10 +96,10 @@ static void check_roots(struct csg_builder *builder)
         if (meaning->dimension != 2 || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
             meaning->role == CSG_ROLE_UNSUPPORTED)
             continue;
-        if (has_solid || is_off(builder, i))
+        if (has_solid)
             check_child(builder, i, 3);
         else
-            report_flat(builder, i);
+            make_slabs(builder, i);
     }
 }
 

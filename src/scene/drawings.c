@@ -13,6 +13,7 @@ struct frame {
 struct reader {
     struct csg_walk *walk;
     struct csg_drawing *drawing;
+    uint32_t first; /* counts, whatever its modifiers are */
     CSG_ARRAY(struct frame) frames;
 };
 
@@ -97,7 +98,7 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
     const struct csg_meaning *meaning = &reader->walk->builder->meanings[node];
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     *next = parsed->end;
-    if (csg_is_left_out(reader->walk->builder, node))
+    if (node != reader->first && csg_is_left_out(reader->walk->builder, node))
         return true;
     if (meaning->role == CSG_ROLE_FIGURE && !parsed->malformed)
         return read_figure(reader, node);
@@ -114,15 +115,17 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
     return csg_drawing_open(reader->drawing, CSG_DRAW_UNION) || no_memory(reader);
 }
 
-bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
+/* The union of the nodes from first to the end of node. */
+static bool read_from(struct csg_walk *walk, uint32_t node, uint32_t first, bool in_boolean,
                       struct csg_drawing *drawing)
 {
-    struct reader reader = {.walk = walk, .drawing = drawing};
+    struct reader reader = {
+        .walk = walk, .drawing = drawing, .first = first == node ? node : UINT32_MAX};
     struct frame root = {node, csg_walk_node(walk, node)->end, 0, csg_space_world};
     root.space.in_boolean = in_boolean;
     bool ok = (csg_drawing_open(drawing, CSG_DRAW_UNION) && csg_array_push(&reader.frames, root)) ||
               no_memory(&reader);
-    for (uint32_t i = node + 1; ok && i < root.end;) {
+    for (uint32_t i = first; ok && i < root.end;) {
         while (ok && reader.frames.data[reader.frames.num - 1].end <= i)
             ok = close_node(&reader);
         ok = ok && visit(&reader, i, &i);
@@ -131,4 +134,16 @@ bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
         ok = close_node(&reader);
     free(reader.frames.data);
     return ok;
+}
+
+bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                      struct csg_drawing *drawing)
+{
+    return read_from(walk, node, node + 1, in_boolean, drawing);
+}
+
+bool csg_drawing_read_node(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                           struct csg_drawing *drawing)
+{
+    return read_from(walk, node, node, in_boolean, drawing);
 }

@@ -14,4 +14,8 @@
 bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
                       struct csg_drawing *drawing);
 
+/* Likewise of the node itself. */
+bool csg_drawing_read_node(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                           struct csg_drawing *drawing);
+
 #endif

@@ -2,7 +2,10 @@
 #include "scene/flatten.h"
 
 #include "plane/hull.h"
+#include "plane/minkowski.h"
 #include "plane/offset.h"
+#include "plane/resize.h"
+#include "scene/resize.h"
 #include "solids/facets.h"
 
 /* Arcs of offsets with more segments than that are refused: nobody can tell them apart. */
@@ -48,4 +51,26 @@ bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_a
     const int num = csg_facets_count(&facets, fabs(offset.distance));
     offset.num = num < max_segments ? num : max_segments;
     return finish(walk, node, drawing, draw, csg_drawing_offset(drawing, draw, &offset));
+}
+
+bool csg_flatten_minkowski(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                           struct csg_drawing *drawing, uint32_t draw)
+{
+    (void)args;
+    return finish(walk, node, drawing, draw, csg_drawing_minkowski(drawing, draw));
+}
+
+bool csg_flatten_resize(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        struct csg_drawing *drawing, uint32_t draw)
+{
+    const struct csg_resize resize = csg_resize_read(args);
+    return finish(walk, node, drawing, draw,
+                  csg_drawing_resize(drawing, draw, resize.newsize, resize.automatic));
+}
+
+bool csg_flatten_fill(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                      struct csg_drawing *drawing, uint32_t draw)
+{
+    (void)args;
+    return finish(walk, node, drawing, draw, csg_drawing_fill(drawing, draw));
 }

@@ -12,4 +12,11 @@ bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_arg
 bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                         struct csg_drawing *drawing, uint32_t draw);
 
+bool csg_flatten_minkowski(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                           struct csg_drawing *drawing, uint32_t draw);
+bool csg_flatten_resize(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        struct csg_drawing *drawing, uint32_t draw);
+bool csg_flatten_fill(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                      struct csg_drawing *drawing, uint32_t draw);
+
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "csg/part.h"
+#include "scene/compounds.h"
 #include "scene/origin.h"
 #include "scene/transforms.h"
 
@@ -204,10 +205,12 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
 static bool read_compound(struct walk *walk, uint32_t node, const struct csg_space *space)
 {
     const struct csg_node_ops *ops = csg_walk_ops(&walk->base, node);
+    const bool is_slab = walk->builder->meanings[node].is_slab;
     struct csg_part part = {0};
     struct csg_args args;
     bool done = csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
-                ops->compound(&walk->base, node, &args, space->in_boolean, &part);
+                (is_slab ? csg_compound_slab : ops->compound)(&walk->base, node, &args,
+                                                              space->in_boolean, &part);
     if (done && part.is_too_large)
         csg_walk_unsupported(
             &walk->base, node,
@@ -251,7 +254,7 @@ static bool visit(struct walk *walk, uint32_t node)
         return true;
     if (meaning->role == CSG_ROLE_SOLID)
         return read_solid(walk, node, &walk->frames.data[walk->frames.num - 1].space);
-    if (meaning->role == CSG_ROLE_COMPOUND)
+    if (csg_is_compound(meaning))
         return read_compound(walk, node, &walk->frames.data[walk->frames.num - 1].space);
     return !csg_has_children(meaning) || enter(walk, node);
 }

@@ -30,6 +30,8 @@ const char *csg_kind_name(enum csg_kind kind)
         [CSG_KIND_POLYHEDRON - CSG_NUM_KINDS] = "polyhedron",
         [CSG_KIND_HULL - CSG_NUM_KINDS] = "hull",
         [CSG_KIND_MINKOWSKI - CSG_NUM_KINDS] = "minkowski",
+        [CSG_KIND_RESIZE - CSG_NUM_KINDS] = "resize",
+        [CSG_KIND_DRAWING - CSG_NUM_KINDS] = "drawing",
         [CSG_KIND_OPENSCAD - CSG_NUM_KINDS] = "openscad",
     };
     return kind < CSG_NUM_KINDS ? csg_solids[kind]->name : compounds[kind - CSG_NUM_KINDS];

@@ -182,7 +182,7 @@ int main(int argc, char **argv)
     num_failed += check_open("}", CSG_REPORT_SHOWN + 1, "closes nothing");
     num_failed += check_open("group(){", 1, "never closed");
     num_failed += check_open("translate()", CSG_REPORT_SHOWN + 1, "found the end");
-    num_failed += check_open("resize();\n", CSG_REPORT_SHOWN + 1, "resize is not supported");
+    num_failed += check_open("roof();\n", CSG_REPORT_SHOWN + 1, "roof is not supported");
     num_failed += check_open("(", 1, "expected a node");
     num_failed += check_open("\"", 1, "found a string");
     num_failed += check_open("/* ", 1, "closing '*/'");

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * projection(cut): of OpenSCAD's facets, as unions of convex sets. The shadow of a convex set, and
+ * its section with z = 0, are the hulls of points that are easily found.
+ */
+#include <stdlib.h>
+
+#include "plane/wrap.h"
+#include "polyhedra/evaluate.h"
+#include "scene/figures.h"
+#include "scene/parts.h"
+#include "scene/transforms.h"
+
+/* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
+#define ON_PLANE 1e-12
+
+struct projection {
+    struct csg_walk *walk;
+    const struct csg_space *space;
+    struct csg_drawing *drawing;
+    double rounding;
+    bool facetted, cut;
+};
+
+static bool add_point(const struct projection *projection, struct csg_flat_points *to,
+                      struct csg_vec3 p)
+{
+    const struct csg_vec3 at = csg_map_point(&projection->space->map, csg_vec3(p.x, p.y, 0));
+    return csg_array_push(&to->list, ((struct csg_vec2){at.x, at.y}));
+}
+
+static bool add_shadow(const struct projection *projection, const struct csg_vec3 *corners,
+                       size_t num, struct csg_flat_points *to)
+{
+    bool ok = true;
+    for (size_t i = 0; i < num && ok; i++)
+        ok = add_point(projection, to, corners[i]);
+    return ok;
+}
+
+/* Any two corners on either side have a point of the section between them. */
+static bool add_section(const struct projection *projection, const struct csg_vec3 *corners,
+                        size_t num, struct csg_flat_points *to)
+{
+    double size = 0;
+    bool ok = true;
+    for (size_t i = 0; i < num; i++)
+        size = fmax(size, fabs(corners[i].z));
+    for (size_t i = 0; i < num && ok; i++) {
+        const struct csg_vec3 a = corners[i];
+        if (fabs(a.z) <= ON_PLANE * size)
+            ok = add_point(projection, to, a);
+        for (size_t j = 0; j < num && ok && a.z < -ON_PLANE * size; j++) {
+            const struct csg_vec3 b = corners[j];
+            const double t = -a.z / (b.z - a.z);
+            if (b.z > ON_PLANE * size)
+                ok = add_point(projection, to, csg_add(a, csg_scale(t, csg_sub(b, a))));
+        }
+    }
+    return ok;
+}
+
+static bool add_set(const struct projection *projection, const struct csg_vec3 *corners, size_t num)
+{
+    struct csg_flat_points points = {0};
+    bool ok = (projection->cut ? add_section(projection, corners, num, &points)
+                               : add_shadow(projection, corners, num, &points)) &&
+              csg_flat_points_wrap(&points) &&
+              csg_flat_points_draw(projection->drawing, &points, projection->rounding);
+    if (ok)
+        projection->drawing->figures.data[projection->drawing->figures.num - 1].facetted =
+            projection->facetted;
+    free(points.list.data);
+    return ok;
+}
+
+static bool add_sets(const struct projection *projection, const struct csg_clusters *clusters)
+{
+    size_t begin = 0;
+    bool ok = true;
+    for (size_t i = 0; i < clusters->ends.num && ok; i++) {
+        ok = add_set(projection, &clusters->corners.points.data[begin],
+                     clusters->ends.data[i] - begin);
+        begin = clusters->ends.data[i];
+    }
+    return ok || csg_log_memory(&projection->walk->builder->report->log);
+}
+
+static bool project(struct projection *projection, uint32_t node, const struct csg_part *part)
+{
+    struct csg_walk *walk = projection->walk;
+    struct csg_clusters clusters = {0};
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        projection->rounding = fmax(projection->rounding, part->shapes.data[i].rounding);
+        projection->facetted |= part->shapes.data[i].facetted;
+    }
+    projection->rounding *= csg_space_stretch(projection->space);
+    const enum csg_hull_result result =
+        part->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(part, &clusters);
+    bool ok = true;
+    if (result == CSG_HULL_DONE)
+        ok = add_sets(projection, &clusters);
+    else if (result == CSG_HULL_NO_MEMORY)
+        ok = csg_log_memory(&walk->builder->report->log);
+    else
+        csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
+    csg_clusters_finish(&clusters);
+    return ok;
+}
+
+bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                           const struct csg_space *space, struct csg_drawing *drawing)
+{
+    struct projection projection = {
+        .walk = walk, .space = space, .drawing = drawing, .cut = csg_args_bool(args, "cut", false)};
+    const uint32_t end = csg_walk_node(walk, node)->end, draw = (uint32_t)drawing->nodes.num;
+    struct csg_part part = {0};
+    struct csg_map inverse;
+    bool ok =
+        csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+    if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
+        ok = csg_part_read(walk, node + 1, end, space->in_boolean, false, &part) &&
+             project(&projection, node, &part);
+    csg_drawing_close(drawing, draw);
+    csg_part_finish(&part);
+    return ok;
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * resize(newsize, auto) of solids. As the size counts that of OpenSCAD's facets; what is scaled
+ * stays as exact as it was.
+ */
+#include "scene/resize.h"
+
+#include "plane/resize.h"
+#include "polyhedra/evaluate.h"
+#include "scene/compounds.h"
+#include "scene/parts.h"
+
+struct csg_resize csg_resize_read(const struct csg_args *args)
+{
+    const struct csg_value *newsize = csg_args_find(args, "newsize");
+    const struct csg_value *automatic = csg_args_find(args, "auto");
+    struct csg_resize resize = {0};
+    for (size_t i = 0; i < 3; i++) {
+        if (newsize && newsize->type == CSG_VALUE_VECTOR && i < newsize->num &&
+            newsize->items[i].type == CSG_VALUE_NUMBER && isfinite(newsize->items[i].number))
+            resize.newsize[i] = newsize->items[i].number;
+        const struct csg_value *value = automatic;
+        if (automatic && automatic->type == CSG_VALUE_VECTOR)
+            value = i < automatic->num ? &automatic->items[i] : NULL;
+        if (value)
+            resize.automatic[i] =
+                value->type == CSG_VALUE_BOOL ? value->boolean : value->number != 0;
+    }
+    return resize;
+}
+
+/* The box of OpenSCAD's facets. is_there: it has a volume, and nothing was reported. */
+static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean, double size[3],
+                      bool *is_there)
+{
+    struct csg_part facets = {0};
+    struct csg_clusters clusters = {0};
+    struct csg_box box = csg_box_empty;
+    bool ok =
+        csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, false, &facets);
+    enum csg_hull_result result = CSG_HULL_DONE;
+    if (ok)
+        result = facets.is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(&facets, &clusters);
+    for (size_t i = 0; i < clusters.corners.points.num; i++)
+        csg_box_extend(&box, clusters.corners.points.data[i]);
+    size[0] = box.hi.x - box.lo.x;
+    size[1] = box.hi.y - box.lo.y;
+    size[2] = box.hi.z - box.lo.z;
+    *is_there = ok && result == CSG_HULL_DONE && size[0] > 0 && size[1] > 0 && size[2] > 0;
+    if (ok && result == CSG_HULL_NO_MEMORY)
+        ok = csg_log_memory(&walk->builder->report->log);
+    else if (ok && result != CSG_HULL_DONE)
+        csg_walk_unsupported(walk, node, "resize: the size of what is in it is hard to find");
+    csg_clusters_finish(&clusters);
+    csg_part_finish(&facets);
+    return ok;
+}
+
+bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                         bool in_boolean, struct csg_part *part)
+{
+    const struct csg_resize resize = csg_resize_read(args);
+    const bool exact = walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN;
+    struct csg_map map = csg_map_identity;
+    double size[3], factors[3];
+    bool is_there = false;
+    if (!find_size(walk, node, in_boolean, size, &is_there))
+        return false;
+    if (!is_there)
+        return true;
+    csg_resize_factors(resize.newsize, resize.automatic, size, 3, factors);
+    for (int i = 0; i < 3; i++)
+        map.m[i][i] = factors[i];
+    if (!csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, exact, part))
+        return false;
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        csg_shape_map(&part->shapes.data[i], &map);
+        part->shapes.data[i].rounding *= fmax(factors[0], fmax(factors[1], factors[2]));
+    }
+    return true;
+}
