@@ -67,7 +67,7 @@ static int check(struct text *text, const struct expectation *expected)
 {
     struct counts counts = {0};
     const struct csgcast_scene_params params = {
-        .name = "text", .log = count_message, .log_user = &counts};
+        .name = "text", .no_handoff = true, .log = count_message, .log_user = &counts};
     const double start = seconds();
     struct csgcast_scene *scene = csg_scene_read(text->data, text->num, &params);
     const size_t num_leaves = scene ? scene->num_leaves : 0;
