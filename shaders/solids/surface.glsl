@@ -30,30 +30,80 @@ void csg_meet_face(csg_real4 plane, vec2 d, csg_real k, int turns, inout csg_sur
     surface.face.y = key == k && turns < 0 ? face : surface.face.y;
 }
 
-/* The surface whose record is at p, around k. */
-csg_surface csg_surface_at(int p, vec2 d, csg_real k)
+/* The list of a pixel's cell: texels [begin, covers) of faces that cover it, then [covers, cuts) of
+ * faces that cut it; and the pixel as edges count it. */
+struct csg_list {
+    int begin, covers, cuts;
+    vec2 at;
+};
+
+csg_list csg_surface_list(int p, vec2 d)
 {
     vec4 grid = csg_texel(p + 1);
-    int turns = int(csg_texel(p + 2).x);
-    csg_surface surface = csg_surface(turns, turns, CSG_NEVER, ivec2(0));
     vec2 at = d - grid.xy;
     ivec2 place = ivec2(at * grid.z);
     vec4 cell = csg_texel(p + CSG_SURFACE_CELLS + place.y * int(grid.w) + place.x);
-    int i = p + int(cell.x), covers = i + CSG_TERM_TEXELS * int(cell.y);
-    int cuts = covers + (CSG_TERM_TEXELS + CSG_SURFACE_EDGES) * int(cell.z);
+    int begin = p + int(cell.x), covers = begin + CSG_TERM_TEXELS * int(cell.y);
     csg_turns += 2 + int(cell.y) + int(cell.z);
-    for (; i < covers; i += CSG_TERM_TEXELS) {
+    return csg_list(begin, covers,
+                    covers + (CSG_TERM_TEXELS + CSG_SURFACE_EDGES) * int(cell.z), at);
+}
+
+/* Turns of the face whose edges begin at texel p. */
+int csg_face_turns(int p, vec2 at)
+{
+    return csg_edge_turns(csg_texel(p), at) + csg_edge_turns(csg_texel(p + 1), at) +
+           csg_edge_turns(csg_texel(p + 2), at);
+}
+
+/* The surface whose record is at p, around k. */
+csg_surface csg_surface_at(int p, vec2 d, csg_real k)
+{
+    int turns = int(csg_texel(p + 2).x);
+    csg_surface surface = csg_surface(turns, turns, CSG_NEVER, ivec2(0));
+    csg_list list = csg_surface_list(p, d);
+    int i = list.begin;
+    for (; i < list.covers; i += CSG_TERM_TEXELS) {
         csg_real4 plane = csg_term(i, 0);
         csg_meet_face(plane, d, k, plane.w < 0.0 ? -1 : 1, surface);
     }
-    for (; i < cuts; i += CSG_TERM_TEXELS + CSG_SURFACE_EDGES) {
-        int edge = i + CSG_TERM_TEXELS;
-        csg_meet_face(csg_term(i, 0), d, k,
-                      csg_edge_turns(csg_texel(edge), at) + csg_edge_turns(csg_texel(edge + 1), at) +
-                          csg_edge_turns(csg_texel(edge + 2), at),
-                      surface);
-    }
+    for (; i < list.cuts; i += CSG_TERM_TEXELS + CSG_SURFACE_EDGES)
+        csg_meet_face(csg_term(i, 0), d, k, csg_face_turns(i + CSG_TERM_TEXELS, list.at), surface);
     return surface;
+}
+
+/* What a surface does where a ray next meets it. */
+struct csg_surface_first {
+    csg_real key;
+    int turns;  /* of all faces there; 0: they cancel */
+    ivec2 face; /* places of normals, where rays enter and leave by their turns */
+};
+
+void csg_meet_first(csg_real4 plane, vec2 d, csg_real k, int turns, inout csg_surface_first first)
+{
+    csg_real key = csg_plane(plane, d);
+    int face = int(abs(plane.w));
+    bool counts = turns != 0 && key > k && key <= first.key;
+    bool sooner = counts && key < first.key;
+    first.turns = (sooner ? 0 : first.turns) + (counts ? turns : 0);
+    first.face.x = counts && turns > 0 ? face : first.face.x;
+    first.face.y = counts && turns < 0 ? face : first.face.y;
+    first.key = counts ? key : first.key;
+}
+
+/* Where behind k the ray meets the surface whose record is at p. */
+csg_surface_first csg_surface_behind(int p, vec2 d, csg_real k)
+{
+    csg_surface_first first = csg_surface_first(CSG_NEVER, 0, ivec2(0));
+    csg_list list = csg_surface_list(p, d);
+    int i = list.begin;
+    for (; i < list.covers; i += CSG_TERM_TEXELS) {
+        csg_real4 plane = csg_term(i, 0);
+        csg_meet_first(plane, d, k, plane.w < 0.0 ? -1 : 1, first);
+    }
+    for (; i < list.cuts; i += CSG_TERM_TEXELS + CSG_SURFACE_EDGES)
+        csg_meet_first(csg_term(i, 0), d, k, csg_face_turns(i + CSG_TERM_TEXELS, list.at), first);
+    return first;
 }
 
 /* As csg_inside and csg_outside: where, at k or later, can the literal be true at the soonest? */

@@ -29,6 +29,7 @@ struct csg_draw {
     bool stiff;       /* some quadric needs the other form in this view */
     bool precise;     /* drawn in double: the records hold low parts */
     bool surface;     /* some record is that of a surface of triangles */
+    bool surface_alone; /* there is no other, and the eye is outside of it */
     bool tile;        /* a tile of the object: its records differ from the object's steps */
 };
 

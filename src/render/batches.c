@@ -21,6 +21,7 @@ struct chooser {
     const struct csg_request *request;
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
+    GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS]; /* by features */
     GLuint cpu;                 /* for what needs double without having it */
     size_t max_handed;          /* flat inputs that the driver allows */
@@ -137,6 +138,7 @@ static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver,
                             enum csg_resolver *chosen)
 {
     GLuint *shared = resolver == CSG_RESOLVER_REAR         ? chooser->rears
+                     : resolver == CSG_RESOLVER_SURFACE    ? chooser->surfaces
                      : resolver == CSG_RESOLVER_ALGORITHM4 ? chooser->sorted
                                                            : chooser->loops;
     *chosen = resolver;
@@ -158,11 +160,23 @@ static GLuint choose_cpu(struct chooser *chooser, enum csg_resolver *resolver)
     return chooser->cpu;
 }
 
+/* A surface alone in its tile counts as the loop, which draws the same. */
+static GLuint choose_surface(struct chooser *chooser, const struct csg_draw *draw,
+                             enum csg_resolver *resolver)
+{
+    const GLuint program =
+        choose_shared(chooser, CSG_RESOLVER_SURFACE, view_features(draw), resolver);
+    *resolver = draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP;
+    return program;
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);
+    if (draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP)
+        return choose_surface(chooser, draw, resolver);
     if (draw->tile)
         return choose_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
                              CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | view_features(draw), resolver);

@@ -101,6 +101,10 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver)
     if (resolver == CSG_RESOLVER_STRAIGHT)
         return;
     csg_text_add(text, "#define CSG_CAN_GIVE_UP\n");
+    if (resolver == CSG_RESOLVER_SURFACE) {
+        add_file(text, "csg/surface.glsl");
+        return;
+    }
     add_file(text, "csg/program.glsl");
     if (resolver == CSG_RESOLVER_REAR) {
         add_file(text, "csg/rear.glsl");

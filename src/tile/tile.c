@@ -244,6 +244,13 @@ static bool add_record(struct tiler *tiler, const struct csg_step *step, const s
     return csg_terms_add_record(tiler->terms, step, &filter);
 }
 
+static bool is_surface_alone(const struct tiler *tiler)
+{
+    const struct csg_step *step = tiler->program.data;
+    return tiler->program.num == 1 && step->flags & CSG_RECORD_SURFACE &&
+           !(step->flags & CSG_RECORD_NEGATED) && csg_terms_view(tiler->terms, step->leaf)->turns == 0;
+}
+
 static bool emit(struct tiler *tiler, const struct task *task)
 {
     struct csg_frame *frame = tiler->terms->frame;
@@ -258,6 +265,7 @@ static bool emit(struct tiler *tiler, const struct task *task)
         if (!add_record(tiler, &tiler->program.data[i], task, &box))
             return false;
     }
+    draw.surface_alone = is_surface_alone(tiler);
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
     csg_draw_set_rect(&draw, &frame->screen, &rect);
