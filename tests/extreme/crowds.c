@@ -116,8 +116,8 @@ static bool check(struct csgcast_renderer *renderer, const struct crowd *crowd, 
         largest = fmax(largest, error);
     }
     const bool ok = drawn && wrong == 0;
-    printf(csv ? "%s,%d,shader,%d,%d,,,,,%.3g,,,%s\n"
-               : "| %s | %d | shader | %d | %d | | | | | %.2g | | | %s |\n",
+    printf(csv ? "%s,%d,shader,%d,%d,,,,,,%.3g,,,%s\n"
+               : "| %s | %d | shader | %d | %d | | | | | | %.2g | | | %s |\n",
            crowd->name, num, SIZE * SIZE, wrong, largest, ok ? "ok" : "FAIL");
     fflush(stdout);
     csgcast_scene_destroy(scene);

@@ -88,8 +88,8 @@ static void print_shot(const struct run *run, const struct csgcast_renderer *ren
         normal = fmax(normal, m->normal.data[i]);
     }
     if (run->options.shots_too)
-        fprintf(stderr, "%s: %s: wrong %zu outside %zu other %zu depth %.2g normal %.2g\n", name,
-                stats.variants, m->misses - before->misses, m->outside - before->outside,
+        fprintf(stderr, "%s: %s: wrong %zu off %.2g outside %zu other %zu depth %.2g normal %.2g\n", name,
+                stats.variants, m->misses - before->misses, m->displaced, m->outside - before->outside,
                 m->other - before->other, depth, normal);
     if (run->options.shots_too && (m->misses > before->misses || depth > MAX_DEPTH || normal > MAX_NORMAL))
         save(shot, name);
@@ -158,10 +158,11 @@ static void print_row(const struct run *run, const struct sweep *sweep, double v
                       const char *who, struct measure *m, bool good)
 {
     const char *format = run->options.csv
-                             ? "%s,%g,%s,%zu,%zu,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.3g,%s\n"
-                             : "| %s | %g | %s | %zu | %zu | %zu | %zu | %zu | %.2g | %.2g | %.2g "
+                             ? "%s,%g,%s,%zu,%zu,%.3g,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.3g,%s\n"
+                             : "| %s | %g | %s | %zu | %zu | %.2g | %zu | %zu | %zu | %.2g | %.2g | %.2g "
                                "| %.2g | %s |\n";
-    printf(format, sweep->name, value, who, m->rays, m->misses, m->outside, m->other, m->nan,
+    printf(format, sweep->name, value, who, m->rays, m->misses, m->displaced, m->outside,
+           m->other, m->nan,
            errors_quantile(&m->depth, QUANTILE), errors_quantile(&m->depth, 1),
            errors_quantile(&m->normal, QUANTILE), errors_quantile(&m->normal, 1),
            !good ? "FAIL" : is_judged(sweep, value) ? "ok" : "not judged");
@@ -192,7 +193,7 @@ static bool run_value(struct run *run, const struct sweep *sweep, double value, 
 static bool run_sweeps(struct run *run)
 {
     static const char *const heads[] = {
-        "sweep", "value", "of", "rays", "wrong", "outside a pixel", "other surface", "not finite",
+        "sweep", "value", "of", "rays", "wrong", "pixels off", "outside a pixel", "other surface", "not finite",
         "depth p99.9", "depth max", "normal p99.9", "normal max", "verdict"};
     bool ok = true;
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)

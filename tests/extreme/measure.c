@@ -8,6 +8,9 @@
 #define OTHER_DEPTH 1e-4
 #define OTHER_NORMAL 5.0
 
+/* Nearer to a silhouette than this, in pixels, the ray goes through it: a hit is as right as a miss. */
+#define TIE 1e-7
+
 static void errors_add(struct errors *errors, double value)
 {
     if (errors->num == errors->capacity) {
@@ -80,7 +83,9 @@ static void measure_pixel(struct measure *measure, const struct picture *picture
         return;
     }
     if (hit.hit != (picture->id[i] >= 0)) {
-        measure->misses++;
+        const double away = ideal_silhouette(ideal, frustum, width, height, x, y);
+        measure->displaced = fmax(measure->displaced, away);
+        measure->misses += away > TIE;
         if (!ideal_is_edge(ideal, frustum, width, height, x, y))
             note(measure, &measure->outside, x, y);
         return;

@@ -354,3 +354,20 @@ bool ideal_is_edge(const struct ideal_scene *scene, const struct csgcast_frustum
         }
     return false;
 }
+
+double ideal_silhouette(const struct ideal_scene *scene, const struct csgcast_frustum *frustum,
+                        int width, int height, int x, int y)
+{
+    struct ideal_ray ray = ideal_ray(scene, frustum, width, height, x + 0.5L, y + 0.5L);
+    const bool hit = ideal_trace(scene, &ray).hit;
+    for (real reach = 1e-10L; reach <= 1; reach *= 2)
+        for (int i = 0; i < 8; i++) {
+            static const int steps[8][2] = {{1, 0},  {0, 1},  {-1, 0},  {0, -1},
+                                            {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+            ray = ideal_ray(scene, frustum, width, height, x + 0.5L + reach * steps[i][0],
+                            y + 0.5L + reach * steps[i][1]);
+            if (ideal_trace(scene, &ray).hit != hit)
+                return (double)reach;
+        }
+    return 2;
+}

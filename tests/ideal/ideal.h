@@ -86,6 +86,11 @@ struct ideal_ray ideal_ray(const struct ideal_scene *scene, const struct csgcast
                            int width, int height, real x, real y);
 struct ideal_hit ideal_trace(const struct ideal_scene *scene, const struct ideal_ray *ray);
 
+/* Pixels from the centre of a pixel to where hits turn to misses, up to 1, to a factor of 2;
+ * 2: further. */
+double ideal_silhouette(const struct ideal_scene *scene, const struct csgcast_frustum *frustum,
+                        int width, int height, int x, int y);
+
 /* Another surface, or none, shows within a pixel of this one. */
 bool ideal_is_edge(const struct ideal_scene *scene, const struct csgcast_frustum *frustum,
                    int width, int height, int x, int y);
