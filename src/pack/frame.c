@@ -187,10 +187,33 @@ static bool starts_inside(const struct packer *packer, uint8_t layer)
     return false;
 }
 
+/* Where the depth buffer is too coarse for the little that the picture shows, several objects have
+ * to be compared in the program. */
+static bool is_too_fine(const struct packer *packer, uint8_t layer)
+{
+    const struct csg_objects *objects = packer->scene->objects;
+    size_t num = 0, zoomed = 0;
+    for (size_t i = 0; i < objects->num; i++) {
+        if (objects->data[i].layer != layer || objects->data[i].hidden)
+            continue;
+        num++;
+        zoomed += packer->frame->precisions.data[i].zoomed;
+    }
+    return num > 1 && zoomed > 0;
+}
+
+static bool is_one(const struct packer *packer, uint8_t layer)
+{
+    if (packer->params->textbook)
+        return false;
+    return starts_inside(packer, layer) ||
+           (layer == CSG_LAYER_MODEL && is_too_fine(packer, layer));
+}
+
 static bool add_layer(struct packer *packer, uint8_t layer)
 {
     const struct csg_objects *objects = packer->scene->objects;
-    if (!packer->params->textbook && starts_inside(packer, layer)) {
+    if (is_one(packer, layer)) {
         const struct csg_object whole = {
             layer, layer, false, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
         return add_object(packer, &whole, CSG_WHOLE_LAYER);

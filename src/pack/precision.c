@@ -83,6 +83,7 @@ static void judge_geometry(const struct csg_screen *screen, const struct csg_sha
     precision->resolved = error;
     for (int i = 0; i < CSG_NUM_FINE; i++)
         is_too_fine(precision, i, sharp->leaf[i], sharp->least[i], least[i]);
+    precision->zoomed = width < error / MAX_EDGE_ERROR;
     is_too_fine(precision, CSG_REASON_VIEW, sharp->leaf[0], width, error / MAX_EDGE_ERROR);
 }
 

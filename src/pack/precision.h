@@ -26,6 +26,7 @@ enum csg_reason {
 
 struct csg_precision {
     bool precise;
+    bool zoomed; /* so little of the scene is in the picture that the depth buffer is too coarse */
     uint8_t reason;
     uint32_t leaf;   /* where it was found */
     double size;     /* of what is to be resolved; radians for CSG_REASON_ANGLE */

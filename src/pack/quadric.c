@@ -14,7 +14,7 @@
 
 #include <string.h>
 
-/* A crossing further than this many times the leaf's depth away is found as c/q, not q/a: beyond
+/* Crossings further than this many times the leaf's depth apart are found as c/q, not q/a: beyond
  * it the subtraction of mid and sqrt(h) costs more than two bits. */
 #define STIFF_RATIO 4.0
 
@@ -295,6 +295,21 @@ static double pixel_radius(const struct csg_screen *screen, struct csg_vec3 cent
     return size < diagonal ? fmax(size, 1) : diagonal;
 }
 
+/* How far from key 0, and from each other, the crossings are over a square of that many pixels. Only
+ * where both is far does their middle cancel against sqrt(h): a small leaf far from key 0 has a
+ * large middle and a small root. */
+static double size_of_middle(const struct quadratic *f, double pixels)
+{
+    return (fabs(f->b[0]) + pixels * (fabs(f->b[1]) + fabs(f->b[2]))) / fabs(f->a);
+}
+
+static double size_of_root(const struct quadratic *f, double pixels)
+{
+    return sqrt(fabs(f->s[0]) + pixels * (fabs(f->s[1]) + fabs(f->s[2])) +
+                pixels * pixels * (fabs(f->s[3]) + fabs(f->s[4]) + fabs(f->s[5]))) /
+           fabs(f->a);
+}
+
 void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
                         struct csg_vec3 center, double radius,
@@ -307,7 +322,7 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     struct pencil pencil = pencil_at(screen, here, &quadric->to_canon);
     diagonalise(&pencil, quadric);
     const struct quadratic f = quadratic_of(&pencil, span);
-    const double reach = (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2]))) / fabs(f.a);
+    const double reach = fmin(size_of_middle(&f, pixels), size_of_root(&f, pixels));
     const bool stiff = reach > STIFF_RATIO * span;
     /* f's own scale is free: divide by a, or, where a is nearly nothing, by b's size. */
     const double scale = stiff ? 1 / (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2])) +

@@ -247,6 +247,94 @@ static void make_fov(struct shot *shot, struct dice *dice, double value, int ind
     shot->view.camera.fov = value;
 }
 
+/* ---- the eye on any surface, to the rounding of its coordinates ---- */
+
+static const double turns[] = {20, 45, 60};
+
+static void make_surface(struct shot *shot, struct dice *dice, double value, int index)
+{
+    add_cut(shot, dice, (enum kind)(index % NUM_KINDS));
+    struct ideal_hit hit = {.hit = false};
+    for (int i = 0; i < 100 && !hit.hit; i++) {
+        const struct ideal_vec away = random_direction(dice);
+        const struct ideal_ray ray = {ideal_add(middle, ideal_scale(-20, away)), away, 0};
+        hit = ideal_trace(&shot->ideal, &ray);
+    }
+    const struct ideal_vec way = random_direction(dice);
+    shot_look(shot, ideal_add(hit.point, way), ideal_scale(-1, way), 1,
+              tan(value * 3.14159265358979323846 / 180), false);
+    shot->view.camera.eye[0] = (double)hit.point.x;
+    shot->view.camera.eye[1] = (double)hit.point.y;
+    shot->view.camera.eye[2] = (double)hit.point.z;
+}
+
+/* ---- a solid less the same, turned a little ---- */
+
+static const double wedges[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+
+static void make_wedge(struct shot *shot, struct dice *dice, double value, int index)
+{
+    const double c = cos(value), s = sin(value);
+    const struct map turned = {{{1, 0, 0, 0}, {0, c, -s, 0}, {0, s, c, 0}}};
+    const enum kind kind = (enum kind)(index % NUM_KINDS);
+    shot_begin(shot, 10);
+    add(shot, kind, SIZE, DEPTH, &map_identity);
+    add(shot, kind, SIZE, DEPTH, &turned);
+    shot_end(shot, index / NUM_KINDS % 2 ? "ab-" : "ab+");
+    shot_look(shot, middle, random_direction(dice), 40, 11, dice_pick(dice, 2));
+}
+
+/* ---- a small part of a large scene fills the picture ---- */
+
+static const double zooms[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+
+static void make_zoom(struct shot *shot, struct dice *dice, double value, int index)
+{
+    static const struct ideal_vec targets[] = {{-1, -0.5L, 0}, {SIZE, 0, 0}, {0, 0, -DEPTH}};
+    add_cut(shot, dice, (enum kind)(index % NUM_KINDS));
+    shot->ideal.size = 10 / value;
+    struct ideal_vec away = random_direction(dice);
+    away.z = index & 1 ? fabsl(away.z) + 0.2L : away.z;
+    shot_look(shot, targets[dice_pick(dice, COUNT(targets))], away, index / NUM_KINDS % 2 ? 400 : 40,
+              11 / value, dice_pick(dice, 2));
+}
+
+/* ---- a small solid on a large one ---- */
+
+static const double sizes[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+
+static void make_mixed(struct shot *shot, struct dice *dice, double value, int index)
+{
+    const double s = 1 / value;
+    const struct map small = {{{s, 0, 0, -1}, {0, s, 0, -0.5}, {0, 0, s, DEPTH * s}}};
+    shot_begin(shot, 10 * s);
+    shot->extent = 10;
+    add(shot, any_kind(dice), SIZE, DEPTH, &map_identity);
+    add(shot, (enum kind)(index % NUM_KINDS), SIZE, DEPTH, &small);
+    shot_end(shot, "ab+");
+    struct ideal_vec away = random_direction(dice);
+    away.z = fabsl(away.z) + 0.1L;
+    shot_look(shot, ideal_vec(-1, -0.5L, 3 * s), away, index / NUM_KINDS % 2 ? 40 : 40 * s, 14 * s,
+              dice_pick(dice, 2));
+}
+
+/* ---- far from the origin ---- */
+
+static const double places[] = {1e1, 1e2, 1e3, 1e4, 1e5};
+
+static void make_place(struct shot *shot, struct dice *dice, double value, int index)
+{
+    const struct map moved = map_move(10 * value, -7 * value, 4 * value), turned = map_turn(dice);
+    const struct map shift = map_move(5, 2, 0), other = map_multiply(&shift, &turned);
+    const struct map map = map_multiply(&moved, &other);
+    shot_begin(shot, 10);
+    add(shot, (enum kind)(index % NUM_KINDS), SIZE, DEPTH, &moved);
+    add(shot, any_kind(dice), 4, 5, &map);
+    shot_end(shot, "ab-");
+    const struct ideal_vec place = ideal_vec(10 * value, -7 * value, 4 * value);
+    shot_look(shot, ideal_add(place, middle), random_direction(dice), 40, 11, dice_pick(dice, 2));
+}
+
 #define VALUES(array) array, COUNT(array)
 
 const struct sweep sweeps[] = {
@@ -261,6 +349,11 @@ const struct sweep sweeps[] = {
     {"shell", "thickness / size", VALUES(shells), 2 * NUM_KINDS, {0, 1}, false, make_shell},
     {"tangent", "gap", VALUES(gaps), 8, {-1, 1}, true, make_tangent},
     {"eye", "height over a face", VALUES(nears), 2 * NUM_KINDS, {0, 1}, false, make_eye},
+    {"surface", "half field of view", VALUES(turns), NUM_KINDS, {0, 90}, false, make_surface},
+    {"wedge", "radians", VALUES(wedges), 2 * NUM_KINDS, {0, 1}, true, make_wedge},
+    {"zoom", "times", VALUES(zooms), 2 * NUM_KINDS, {0, 1e6}, false, make_zoom},
+    {"mixed", "size / size", VALUES(sizes), 2 * NUM_KINDS, {0, 1e6}, false, make_mixed},
+    {"place", "radii from the origin", VALUES(places), NUM_KINDS, {0, 1e5}, false, make_place},
     {"field of view", "degrees", VALUES(fovs), NUM_KINDS, {0, 180}, false, make_fov},
 };
 const int num_sweeps = COUNT(sweeps);
