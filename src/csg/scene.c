@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "crowd/crowd.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/program.h"
@@ -33,6 +34,7 @@ void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
     free(scene->sharpness);
     free(scene->ways.data);
+    csg_crowd_destroy(scene->crowd);
     csg_plan_destroy(scene->plan);
     csg_carriers_destroy(scene->carriers);
     if (scene->objects)
@@ -193,6 +195,9 @@ static bool finish(struct csgcast_scene *scene)
     scene->plan = csg_plan_create(scene);
     scene->sharpness = scene->carriers ? csg_sharpness_create(scene) : NULL;
     if (!scene->sharpness || !scene->plan)
+        return false;
+    scene->crowd = csg_crowd_create(scene);
+    if (!scene->crowd)
         return false;
     fill_carrier_info(scene);
     return true;

@@ -40,6 +40,7 @@ struct csg_scene_ways {
 
 struct csg_objects;
 struct csg_carriers;
+struct csg_crowd;
 struct csg_edits;
 struct csg_plan;
 struct csg_sharpness;
@@ -60,6 +61,7 @@ struct csgcast_scene {
     /* Filled by csg_scene_finish: */
     struct csg_objects *objects;   /* drawn one by one */
     struct csg_carriers *carriers; /* distinct surfaces */
+    struct csg_crowd *crowd;       /* objects of one solid each */
     struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
     struct csg_sharpness *sharpness; /* by object: what its geometry asks of numbers */
     struct csg_box box;            /* of the model */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "common/clock.h"
+#include "crowd/fill.h"
 #include "csg/membership.h"
 #include "pack/precise.h"
 #include "pack/terms.h"
@@ -176,9 +177,9 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
 static bool starts_inside(const struct packer *packer, uint8_t layer)
 {
     const struct csg_screen *screen = &packer->frame->screen;
-    const struct csg_objects *objects = packer->scene->objects;
-    for (size_t i = 0; i < objects->num; i++) {
-        const struct csg_object *object = &objects->data[i];
+    for (size_t i = 0; i < packer->frame->listed.num; i++) {
+        const struct csg_object *object =
+            &packer->scene->objects->data[packer->frame->listed.data[i]];
         if (object->layer == layer && holds_eye(screen, &object->box) &&
             (screen->orthographic ||
              csg_object_is_near(packer->scene, object, screen->origin, screen->near)))
@@ -191,13 +192,17 @@ static bool starts_inside(const struct packer *packer, uint8_t layer)
  * to be compared in the program. */
 static bool is_too_fine(const struct packer *packer, uint8_t layer)
 {
-    const struct csg_objects *objects = packer->scene->objects;
+    const struct csg_frame *frame = packer->frame;
     size_t num = 0, zoomed = 0;
-    for (size_t i = 0; i < objects->num; i++) {
-        if (objects->data[i].layer != layer || objects->data[i].hidden)
+    for (size_t i = 0; i < frame->crowd.runs.num && layer == CSG_LAYER_MODEL; i++)
+        num += frame->crowd.runs.data[i].num;
+    for (size_t i = 0; i < frame->listed.num; i++) {
+        const uint32_t index = frame->listed.data[i];
+        const struct csg_object *object = &packer->scene->objects->data[index];
+        if (object->layer != layer || object->hidden)
             continue;
         num++;
-        zoomed += packer->frame->precisions.data[i].zoomed;
+        zoomed += frame->precisions.data[index].zoomed;
     }
     return num > 1 && zoomed > 0;
 }
@@ -212,16 +217,22 @@ static bool is_one(const struct packer *packer, uint8_t layer)
 
 static bool add_layer(struct packer *packer, uint8_t layer)
 {
-    const struct csg_objects *objects = packer->scene->objects;
+    const struct csg_object *objects = packer->scene->objects->data;
+    const struct csg_frame *frame = packer->frame;
     if (is_one(packer, layer)) {
         const struct csg_object whole = {
-            layer, layer, false, false, 0, (uint32_t)packer->scene->trees[layer].num, csg_box_all};
+            .layer = layer, .paint = layer, .end = (uint32_t)packer->scene->trees[layer].num,
+            .box = csg_box_all};
+        if (layer == CSG_LAYER_MODEL)
+            packer->frame->crowd.runs.num = 0;
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
     }
-    for (uint32_t i = 0; i < objects->num; i++)
-        if (objects->data[i].layer == layer && !objects->data[i].hidden &&
-            !add_object(packer, &objects->data[i], i))
+    for (size_t i = 0; i < frame->listed.num; i++) {
+        const uint32_t object = frame->listed.data[i];
+        if (objects[object].layer == layer && !objects[object].hidden &&
+            !add_object(packer, &objects[object], object))
             return false;
+    }
     return true;
 }
 
@@ -245,6 +256,21 @@ static struct csg_box focus_of(const struct csgcast_scene *scene)
     return focus;
 }
 
+/* Which objects are drawn one by one. */
+static bool list_objects(struct csg_frame *frame, const struct csgcast_scene *scene,
+                           const struct csg_frame_params *params)
+{
+    const uint32_t num = (uint32_t)scene->objects->num;
+    frame->crowd.runs.num = frame->listed.num = 0;
+    if (params->crowds)
+        return csg_crowd_fill(frame, scene, params);
+    if (!csg_array_reserve(&frame->listed, num + 1))
+        return false;
+    for (uint32_t i = 0; i < num; i++)
+        frame->listed.data[frame->listed.num++] = i;
+    return true;
+}
+
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
@@ -264,6 +290,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
     frame->tile_ms = 0;
     bool ok = csg_terms_init(&packer.terms, frame, scene, params) &&
+              list_objects(frame, scene, params) &&
               csg_frame_judge(frame, scene, params, &focus);
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);
@@ -277,5 +304,8 @@ void csg_frame_finish(struct csg_frame *frame)
     free(frame->texels.data);
     free(frame->draws.data);
     free(frame->precisions.data);
+    free(frame->crowd.instances.data);
+    free(frame->crowd.runs.data);
+    free(frame->listed.data);
     *frame = (struct csg_frame){0};
 }

@@ -8,6 +8,7 @@
  * objects, one per tile.
  */
 
+#include "crowd/run.h"
 #include "csg/program.h"
 #include "look/colorscheme.h"
 #include "pack/precision.h"
@@ -38,11 +39,13 @@ struct csg_frame {
     struct csg_pixel at; /* the reference pixel of all objects */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
-    CSG_ARRAY(struct csg_precision) precisions; /* by object */
+    CSG_ARRAY(struct csg_precision) precisions; /* by object, of the listed ones */
     size_t proxy_pixels;
     size_t solid_tests;  /* see csgcast_stats */
     size_t tiles_empty, tiles_opaque, tiles_mixed;
     double tile_ms;
+    CSG_ARRAY(uint32_t) listed; /* objects drawn one by one, in file order: all but the crowd's */
+    struct csg_frame_crowd crowd;
 };
 
 struct csg_frame_params {
@@ -56,6 +59,7 @@ struct csg_frame_params {
     bool textbook; /* carriers as pack/textbook.h has them */
     bool precise;    /* everything in double */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
+    bool crowds;     /* single solids are drawn as crowd/crowd.h has them */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

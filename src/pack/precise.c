@@ -43,7 +43,8 @@ static void spread(struct csg_frame *frame, const struct csg_objects *objects, s
 {
     do {
         marks->changed = false;
-        for (size_t i = 0; i < objects->num; i++) {
+        for (size_t j = 0; j < frame->listed.num; j++) {
+            const uint32_t i = frame->listed.data[j];
             struct csg_precision *precision = &frame->precisions.data[i];
             if (!precision->precise && visit(marks, &objects->data[i], false))
                 *precision = (struct csg_precision){
@@ -73,7 +74,8 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
     if (!csg_array_reserve(&frame->precisions, num + 1))
         return false;
     frame->precisions.num = num;
-    for (size_t i = 0; i < num; i++) {
+    for (size_t j = 0; j < frame->listed.num; j++) {
+        const uint32_t i = frame->listed.data[j];
         struct csg_precision *precision = &frame->precisions.data[i];
         *precision = (struct csg_precision){
             .precise = params->precise, .reason = CSG_REASON_ASKED};
@@ -82,7 +84,7 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
             *precision = csg_precision_of(&frame->screen, scene, i, focus);
         num_precise += precision->precise;
     }
-    return num_precise == 0 || num_precise == num || spread_to_sharers(frame, scene);
+    return num_precise == 0 || num_precise == frame->listed.num || spread_to_sharers(frame, scene);
 }
 
 struct csg_precision csg_frame_precision(const struct csg_frame *frame,
@@ -91,8 +93,10 @@ struct csg_precision csg_frame_precision(const struct csg_frame *frame,
 {
     if (object != CSG_WHOLE_LAYER)
         return frame->precisions.data[object];
-    for (size_t i = 0; i < frame->precisions.num; i++)
-        if (scene->objects->data[i].layer == layer && frame->precisions.data[i].precise)
-            return frame->precisions.data[i];
+    for (size_t i = 0; i < frame->listed.num; i++) {
+        const uint32_t listed = frame->listed.data[i];
+        if (scene->objects->data[listed].layer == layer && frame->precisions.data[listed].precise)
+            return frame->precisions.data[listed];
+    }
     return (struct csg_precision){.precise = false};
 }

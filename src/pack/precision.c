@@ -87,6 +87,20 @@ static void judge_geometry(const struct csg_screen *screen, const struct csg_sha
     is_too_fine(precision, CSG_REASON_VIEW, sharp->leaf[0], width, error / MAX_EDGE_ERROR);
 }
 
+double csg_precision_need(const struct csg_sharpness *sharp)
+{
+    const double *least = sharp->least;
+    return fmin(fmin(least[CSG_FINE_THICKNESS], least[CSG_FINE_GAP]) / MIN_STEPS,
+                least[CSG_FINE_CURVATURE] * MAX_NORMAL_ERROR);
+}
+
+bool csg_precision_suffices(const struct csg_screen *screen, const double range[2], double need)
+{
+    const double error = resolution(screen, range, INFINITY);
+    const double width = width_at(screen, fmax(range[0], range[1] / MAX_RATIO));
+    return need >= error && width >= error / MAX_EDGE_ERROR;
+}
+
 /*
  * k = -1/t of a plane at the height h is (n.d) / h. The error of its terms is relative to the
  * largest of them, and a surface far away has small keys: relative to its depth that is an error of

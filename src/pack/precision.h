@@ -39,6 +39,11 @@ struct csg_precision csg_precision_of(const struct csg_screen *screen,
                                       const struct csgcast_scene *scene, size_t object,
                                       const struct csg_box *focus);
 
+/* What an object needs, short of planes that meet nearly parallel: the largest error of a key, as a
+ * length, that leaves it right. And whether float keys suffice for that between these depths. */
+double csg_precision_need(const struct csg_sharpness *sharp);
+bool csg_precision_suffices(const struct csg_screen *screen, const double range[2], double need);
+
 /* Depths of the box along the view axis; [0] at least 0 in perspective. */
 void csg_depth_range(const struct csg_screen *screen, const struct csg_box *box, double range[2]);
 

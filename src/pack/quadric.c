@@ -10,7 +10,7 @@
  * leaf's pixel.
  */
 
-#include "pack/screen.h"
+#include "pack/ball.h"
 
 #include <string.h>
 
@@ -310,11 +310,30 @@ static double size_of_root(const struct quadratic *f, double pixels)
            fabs(f->a);
 }
 
+/* All of a sphere is in view: the closed form, whoever asks. */
+static bool put_ball(const struct csg_screen *screen, struct csg_pixel at,
+                     const struct csg_quadric *quadric, double seen_radius,
+                     double texels[CSG_QUADRIC_TEXELS][4])
+{
+    struct csg_vec3 center;
+    double radius;
+    if (!csg_quadric_ball(quadric, &center, &radius) || !(seen_radius >= radius) ||
+        !isfinite(seen_radius) || !csg_screen_takes_ball(screen, center, radius))
+        return false;
+    memset(texels, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
+    csg_screen_ball(screen, at, center, radius, texels);
+    return true;
+}
+
 void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
                         struct csg_vec3 center, double radius,
                         double texels[CSG_QUADRIC_TEXELS][4])
 {
+    if (put_ball(screen, at, quadric, radius, texels)) {
+        texels[0][3] = CSG_QUADRIC_X_MINUS + region_code(screen, quadric, 1, flipped, convex, sheet);
+        return;
+    }
     const struct csg_pixel here = csg_screen_pixel(screen, center);
     const double shift[2] = {here.x - at.x, here.y - at.y};
     const double span = key_span(screen, center, radius);

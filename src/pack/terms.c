@@ -87,11 +87,10 @@ static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node 
     return num_entries;
 }
 
-/* The crossings' terms. */
-static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (*texels)[4],
-                          float base[3])
+void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_scene *scene,
+                         uint32_t leaf, double texels[CSG_QUADRIC_TEXELS][4], float *base)
 {
-    const struct csg_carriers *carriers = terms->scene->carriers;
+    const struct csg_carriers *carriers = scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
     const struct csg_box *box = &carriers->quadric_boxes[face.carrier];
     struct csg_vec3 center = {0, 0, 0};
@@ -100,11 +99,11 @@ static void put_crossings(const struct csg_terms *terms, uint32_t leaf, double (
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(&terms->frame->screen, terms->frame->at, &carriers->quadrics[face.carrier],
-                       face.flipped, terms->scene->leaves[leaf].shape.convex,
+    csg_screen_quadric(&frame->screen, frame->at, &carriers->quadrics[face.carrier],
+                       face.flipped, scene->leaves[leaf].shape.convex,
                        carriers->sheets[leaf], center, radius, texels);
-    if (terms->precise)
-        csg_screen_base(&terms->frame->screen, (const double(*)[4])texels, center, radius, base);
+    if (base)
+        csg_screen_base(&frame->screen, (const double(*)[4])texels, center, radius, base);
 }
 
 /* Stiff quadrics are those whose crossings float may not hold. */
@@ -138,7 +137,8 @@ static void put_quadric(const struct csg_terms *terms, const struct csg_node *no
         csg_textbook_quadric(quadric, face.flipped, texels);
         csg_textbook_normal(quadric, normal);
     } else {
-        put_crossings(terms, node->leaf, texels, base);
+        csg_terms_crossings(terms->frame, terms->scene, node->leaf, texels,
+                            terms->precise ? base : NULL);
         csg_screen_normal(&terms->frame->screen, terms->frame->at, quadric, base, normal);
     }
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)

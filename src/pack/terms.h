@@ -66,6 +66,11 @@ struct csg_record_filter {
     bool quadric;
 };
 
+/* The texels of the quadric of a leaf: csg_screen_quadric of its carrier, and csg_screen_base where
+ * base is not NULL. */
+void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_scene *scene,
+                         uint32_t leaf, double texels[CSG_QUADRIC_TEXELS][4], float *base);
+
 /* Appends a step's record to the frame, but for surfaces, which pack/surface_record.h does. filter
  * NULL: everything. */
 bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,

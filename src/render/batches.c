@@ -223,7 +223,7 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
         return true;
     }
     const struct csg_batch batch = {
-        program, rear, draw->layer, draw->paint, draw->translucent, draw->object, instance, 1};
+        program, rear, draw->layer, draw->paint, draw->translucent, draw->object, instance, 1, NULL};
     return csg_array_push(batches, batch);
 }
 
@@ -245,6 +245,31 @@ static size_t max_handed(struct csg_gl *gl)
     gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
     const GLint num = components / 4 - 1;
     return num < 1 ? 1 : num > 28 ? 28 : (size_t)num;
+}
+
+/* Crowds share no carriers with other objects, so file order does not matter between them. */
+static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *renderer)
+{
+    const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
+    for (size_t i = 0; i < crowd->runs.num; i++) {
+        const struct csg_crowd_run *run = &crowd->runs.data[i];
+        if (run->num == 0)
+            continue;
+        const GLuint program = csg_programs_get(
+            &renderer->programs, csg_source_single(run->has_quadric, run->num_planes));
+        const struct csg_batch batch = {.program = program,
+                                        .layer = CSG_LAYER_MODEL,
+                                        .paint = CSG_LAYER_MODEL,
+                                        .object = CSG_WHOLE_LAYER,
+                                        .num = (uint32_t)run->num,
+                                        .run = run};
+        if (!program)
+            return false;
+        if (!csg_array_push(batches, batch))
+            return csg_log_memory(&renderer->log);
+        batches->drawn_single += run->num;
+    }
+    return true;
 }
 
 bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
@@ -273,5 +298,5 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
             ok = csg_log_memory(&renderer->log);
     }
     free(chooser);
-    return ok;
+    return ok && add_crowd(batches, renderer);
 }

@@ -87,6 +87,35 @@ static void point_instances(struct csg_gl *gl, size_t first)
     }
 }
 
+/* A crowd's attributes, see crowd/run.h. */
+static void point_crowd(struct csg_gl *gl, const struct csg_crowd_run *run)
+{
+    const GLsizei stride = (GLsizei)(run->stride * sizeof(float));
+    const GLuint num = 2 + run->num_planes + (run->has_quadric ? 3 : 0);
+    for (GLuint i = 0; i < num; i++) {
+        const size_t place = run->first + (i == 0 ? 0 : i == 1 ? run->stride - 1 : 4 * (i - 1));
+        const void *offset = (const void *)(place * sizeof(float));
+        if (i == 1)
+            gl->VertexAttribIPointer(i, 1, GL_INT, stride, offset);
+        else
+            gl->VertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, stride, offset);
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
+}
+
+static void bind_instances(const struct picture *picture, const struct csg_batch *batch)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csgcast_renderer *renderer = picture->renderer;
+    gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, batch->run ? renderer->crowd_buffer : renderer->instance_buffer);
+    if (batch->run)
+        point_crowd(gl, batch->run);
+    else
+        point_instances(gl, batch->first);
+}
+
 static bool is_in_round(const struct csg_batch *batch, const struct round *round)
 {
     if (round->geometry)
@@ -108,8 +137,6 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
         gl->ClearBufferfv(GL_DEPTH, 0, &far);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_LESS);
-    gl->BindVertexArray(picture->renderer->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, picture->renderer->instance_buffer);
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
         if (!is_in_round(batch, round))
@@ -118,7 +145,7 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
         set_screen(picture, program);
         gl->Uniform1f(gl->GetUniformLocation(program, "csg_depth_bias"),
                       round->paint == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
-        point_instances(gl, batch->first);
+        bind_instances(picture, batch);
         gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
     }
 }
@@ -368,7 +395,15 @@ static bool upload_instances(struct csgcast_renderer *renderer)
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(num * sizeof *instances), instances,
                    GL_STREAM_DRAW);
     free(instances);
-    renderer->stats.bytes_uploaded = renderer->stats.texture_bytes + num * sizeof *instances;
+    const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
+    const size_t crowd_bytes = crowd->runs.num ? crowd->instances.num * sizeof(float) : 0;
+    if (crowd_bytes) {
+        gl->BindBuffer(GL_ARRAY_BUFFER, renderer->crowd_buffer);
+        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)crowd_bytes, crowd->instances.data,
+                       GL_STREAM_DRAW);
+    }
+    renderer->stats.bytes_uploaded =
+        renderer->stats.texture_bytes + num * sizeof *instances + crowd_bytes;
     return true;
 }
 
@@ -379,7 +414,9 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
         return;
     gl->GenTextures(1, &renderer->data_texture);
     gl->GenBuffers(1, &renderer->instance_buffer);
+    gl->GenBuffers(1, &renderer->crowd_buffer);
     gl->GenVertexArrays(1, &renderer->vertex_array);
+    gl->GenVertexArrays(1, &renderer->crowd_array);
     gl->GenVertexArrays(1, &renderer->empty_array);
 }
 
@@ -439,12 +476,34 @@ static void copy_counts(const struct csg_frame *frame, struct csgcast_stats *sta
     stats->pack_ms = stats->cpu_ms - frame->tile_ms;
 }
 
+static size_t add_variant(char *text, size_t size, size_t used, const char *name, size_t num)
+{
+    if (num == 0 || used >= size)
+        return used;
+    return used + (size_t)snprintf(text + used, size - used, "%s%s %zu", used ? ", " : "", name, num);
+}
+
+/* The resolvers used, and how many objects each drew. */
+static void name_variants(const struct picture *picture, char *text, size_t size)
+{
+    const struct csg_batches *batches = &picture->batches;
+    size_t skip = 0;
+    if (picture->request->textbook)
+        skip = (size_t)snprintf(text, size, CSG_TEXTBOOK_NAME ": ");
+    size_t used = add_variant(text + skip, size - skip, 0, "single", batches->drawn_single);
+    for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
+        used = add_variant(text + skip, size - skip, used, csg_resolver_names[i],
+                           batches->drawn[i]);
+    add_variant(text + skip, size - skip, used, "reference", batches->on_cpu);
+}
+
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const struct csg_frame_params params = {
         &request->frustum, request->width,           request->height, request->scheme,
         request->view->cut_color, csg_draws_whole, request, request->textbook,
-        request->resolver == CSG_RESOLVER_DOUBLE, renderer->gl->has_double};
+        request->resolver == CSG_RESOLVER_DOUBLE, renderer->gl->has_double,
+        request->resolver < 0 && !request->textbook};
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);
@@ -459,17 +518,8 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     struct csgcast_stats *stats = &renderer->stats;
     copy_counts(&renderer->frame, stats);
     csg_numerics_describe(renderer, request->scene, stats);
-    size_t used = 0, num = 0;
-    if (request->textbook)
-        used = (size_t)snprintf(stats->variants, sizeof stats->variants, CSG_TEXTBOOK_NAME ": ");
-    for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
-        if (picture.batches.drawn[i] && used < sizeof stats->variants)
-            used += (size_t)snprintf(stats->variants + used, sizeof stats->variants - used,
-                                     "%s%s %zu", num++ ? ", " : "", csg_resolver_names[i],
-                                     picture.batches.drawn[i]);
-    if (picture.batches.on_cpu && used < sizeof stats->variants)
-        snprintf(stats->variants + used, sizeof stats->variants - used, "%sreference %zu",
-                 num ? ", " : "", picture.batches.on_cpu);
+    stats->objects_drawn += picture.batches.drawn_single;
+    name_variants(&picture, stats->variants, sizeof stats->variants);
     free(picture.batches.data);
     return ok;
 }

@@ -14,6 +14,7 @@ struct csgcast_renderer {
     GLuint data_texture;
     int data_rows; /* allocated */
     GLuint vertex_array, instance_buffer, empty_array;
+    GLuint crowd_array, crowd_buffer;
     struct csg_frame frame;
     struct csgcast_stats stats;
 };
@@ -44,6 +45,7 @@ struct csg_batch {
     bool translucent;
     uint32_t object; /* of the first instance; of all where they are not simply opaque */
     uint32_t first, num; /* instances */
+    const struct csg_crowd_run *run; /* NULL: other objects than a crowd's */
 };
 
 struct csg_batches {
@@ -51,6 +53,7 @@ struct csg_batches {
     size_t num, capacity;
     size_t drawn[CSG_NUM_RESOLVERS];
     size_t on_cpu;    /* objects in double without a driver that has it */
+    size_t drawn_single;
     bool may_give_up; /* some program may run out of turns, see CSG_MAX_TURNS */
 };
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crowd/crowd.h"
 #include "scene/edits.h"
 
 /* The changes of one call. */
@@ -149,6 +150,8 @@ static bool commit(struct session *session)
         swap_all(session);
         return false;
     }
+    if (!session->moves)
+        csg_crowd_recolor(session->scene->crowd, session->scene);
     session->scene->revision++;
     return true;
 }

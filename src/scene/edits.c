@@ -62,6 +62,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
     struct csgcast_scene next = *scene;
     next.objects = NULL;
     next.carriers = NULL;
+    next.crowd = NULL;
     next.plan = NULL;
     next.sharpness = NULL;
     next.ways = (struct csg_scene_ways){0};

@@ -170,6 +170,28 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     return finish_stages(&vertex, &fragment);
 }
 
+struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes)
+{
+    struct csg_text vertex = {0}, fragment = {0}, *texts[2] = {&vertex, &fragment};
+    for (int i = 0; i < 2; i++) {
+        add_preamble(texts[i], 0);
+        csg_text_add(texts[i], "#define CSG_NUM_PLANES %u\n#define CSG_NUM_TEXELS %u\n", num_planes,
+                     num_planes + (has_quadric ? 3 : 0));
+    }
+    if (has_quadric)
+        csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
+    add_file(&vertex, "passes/single.vert.glsl");
+    add_file(&fragment, "common/data.glsl");
+    add_file(&fragment, "common/real.glsl");
+    add_file(&fragment, "common/screen.glsl");
+    add_file(&fragment, "solids/span.glsl");
+    add_file(&fragment, "solids/planes.glsl");
+    if (has_quadric)
+        add_file(&fragment, "solids/quadric.glsl");
+    add_file(&fragment, "passes/single.frag.glsl");
+    return finish_stages(&vertex, &fragment);
+}
+
 struct csg_stages csg_source_shade(bool want_leaf, bool textbook)
 {
     struct csg_text vertex = {0}, fragment = {0};

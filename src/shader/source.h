@@ -73,6 +73,9 @@ struct csg_stages {
 struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed);
 
+/* One-solid programs for crowds, see crowd/run.h. */
+struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes);
+
 /* The shading pass. */
 struct csg_stages csg_source_shade(bool want_leaf, bool textbook);
 

@@ -6,6 +6,9 @@
 
 #include "mesh/surface.h"
 
+/* How far a sphere's map may be from a uniform scaling and a rotation, relative. */
+#define BALL_NOISE 1e-12
+
 void csg_shape_finish(struct csg_shape *shape)
 {
     free(shape->planes);
@@ -98,6 +101,24 @@ struct csg_vec3 csg_quadric_gradient(const struct csg_quadric *quadric, struct c
         csg_vec3(2 * quadric->diag[0] * p.x, 2 * quadric->diag[1] * p.y,
                  2 * quadric->diag[2] * p.z + 2 * quadric->linear);
     return csg_map_transposed(&quadric->to_canon, canonical);
+}
+
+bool csg_quadric_ball(const struct csg_quadric *quadric, struct csg_vec3 *center, double *radius)
+{
+    const double(*m)[4] = quadric->to_canon.m;
+    const double *d = quadric->diag, size = m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0];
+    if (d[0] != 1 || d[1] != 1 || d[2] != 1 || d[3] != -1 || quadric->linear != 0)
+        return false;
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++) {
+            const double dot = m[0][i] * m[0][j] + m[1][i] * m[1][j] + m[2][i] * m[2][j];
+            if (!(fabs(dot - (i == j ? size : 0)) <= BALL_NOISE * size))
+                return false;
+        }
+    const struct csg_vec3 offset = {m[0][3], m[1][3], m[2][3]};
+    *center = csg_scale(-1 / size, csg_map_transposed(&quadric->to_canon, offset));
+    *radius = 1 / sqrt(size);
+    return true;
 }
 
 static bool is_on_sheet(const struct csg_shape *shape, struct csg_vec3 p)

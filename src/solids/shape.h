@@ -75,6 +75,9 @@ bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double
 double csg_quadric_value(const struct csg_quadric *quadric, struct csg_vec3 p);
 struct csg_vec3 csg_quadric_gradient(const struct csg_quadric *quadric, struct csg_vec3 p);
 
+/* Whether the quadric is a sphere to the noise of double arithmetic; then its center and radius. */
+bool csg_quadric_ball(const struct csg_quadric *quadric, struct csg_vec3 *center, double *radius);
+
 /* Point membership, closed: the rule that tests check crossings against. */
 bool csg_shape_contains(const struct csg_shape *shape, struct csg_vec3 p);
 

@@ -138,7 +138,7 @@ static bool check_variants(struct run *run, const struct pair *pair,
         return false;
     judge_picture(&run->expected, &pair->ideal, &frustum, &tolerance, &totals->reference);
     report(run, name, "reference", &totals->reference, &run->expected);
-    for (size_t i = 1; csgcast_variant_name(i) && ok; i++) {
+    for (size_t i = 0; csgcast_variant_name(i) && ok; i++) {
         struct verdict verdict = {0};
         view->variant = csgcast_variant_name(i);
         if (run->options.variant ? strcmp(run->options.variant, view->variant) != 0

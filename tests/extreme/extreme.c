@@ -123,7 +123,7 @@ static bool run_shot(struct run *run, const struct sweep *sweep, double value, i
     const struct csgcast_scene_params params = {.name = name};
     struct csgcast_scene *scene = csgcast_scene_parse(shot.text.data, shot.text.num, &params);
     bool ok = scene && shoot(run, run->reference, NULL, scene, &shot, name, reference);
-    for (size_t i = 1; ok && csgcast_variant_name(i); i++)
+    for (size_t i = 0; ok && csgcast_variant_name(i); i++)
         if (run->options.variant ? strcmp(run->options.variant, csgcast_variant_name(i)) == 0
                                  : strcmp(csgcast_variant_name(i), "textbook") != 0)
             ok = shoot(run, run->renderer, csgcast_variant_name(i), scene, &shot, name, shader);

@@ -132,7 +132,7 @@ static bool check_view(struct csgcast_renderer *reference, struct csgcast_render
     const size_t pixels = (size_t)view->width * (size_t)view->height;
     struct picture expected = make_picture(pixels), got = make_picture(pixels);
     bool ok = render(reference, scene, view, &expected);
-    for (size_t i = 1; csgcast_variant_name(i) && ok; i++) {
+    for (size_t i = 0; csgcast_variant_name(i) && ok; i++) {
         const char *variant = csgcast_variant_name(i);
         /* The textbook's float is only looked at when asked for. */
         const bool textbook = strcmp(variant, "textbook") == 0;

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_COMMON_PARALLEL_H
+#define CSG_COMMON_PARALLEL_H
+
+#include <stddef.h>
+
+typedef void csg_task_fn(void *user, size_t task);
+
+/*
+ * Runs tasks 0 .. num - 1 on all cores and waits for them. The order is not defined: for equal
+ * results on every machine a task writes only to places that depend on its number alone. Where no
+ * thread can be started the caller's does all of the work.
+ */
+void csg_parallel(size_t num, csg_task_fn *task, void *user);
+
+#endif

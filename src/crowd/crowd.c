@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+#include "crowd/crowd.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "csg/carrier.h"
+#include "csg/object.h"
+#include "pack/precision.h"
+
+enum { NO_CLASS = 0xff, NUM_KEYS = 2 * (CSG_CROWD_MAX_PLANES + 1) + 1, BALL_KEY = NUM_KEYS - 1 };
+
+struct builder {
+    const struct csgcast_scene *scene;
+    uint8_t *keys;     /* per object: its class, or NO_CLASS */
+    uint32_t *parents; /* per object: union-find over shared carriers */
+};
+
+static const struct csg_node *single_node(const struct csgcast_scene *scene,
+                                          const struct csg_object *object)
+{
+    const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
+    const bool single = object->end == object->begin + 1 && node->op == CSG_LEAF;
+    return single && !node->negated && !node->spare ? node : NULL;
+}
+
+static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *node = single_node(scene, object);
+    if (!node || object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
+        return NO_CLASS;
+    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
+    const struct csg_face face = scene->carriers->quadric_faces[node->leaf];
+    if (!shape->convex || shape->num_planes > CSG_CROWD_MAX_PLANES ||
+        !csg_box_is_finite(&shape->bounds) || (!shape->has_quadric && !shape->num_planes) ||
+        (shape->has_quadric && face.flipped))
+        return NO_CLASS;
+    const size_t index = (size_t)(object - scene->objects->data);
+    if (scene->sharpness[index].least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
+        return NO_CLASS;
+    struct csg_vec3 center;
+    double radius;
+    if (shape->has_quadric && !shape->num_planes &&
+        csg_quadric_ball(&scene->carriers->quadrics[face.carrier], &center, &radius))
+        return BALL_KEY;
+    return (uint8_t)(2 * shape->num_planes + shape->has_quadric);
+}
+
+static uint32_t root_of(uint32_t *parents, uint32_t object)
+{
+    while (parents[object] != object) {
+        parents[object] = parents[parents[object]];
+        object = parents[object];
+    }
+    return object;
+}
+
+/* The smaller number becomes the root, so that roots do not depend on the order. */
+static void join(uint32_t *parents, uint32_t a, uint32_t b)
+{
+    a = root_of(parents, a);
+    b = root_of(parents, b);
+    if (a < b)
+        parents[b] = a;
+    else
+        parents[a] = b;
+}
+
+static void join_user(struct builder *builder, uint32_t *first, uint32_t object)
+{
+    if (*first == UINT32_MAX)
+        *first = object;
+    else
+        join(builder->parents, *first, object);
+}
+
+static void join_object(struct builder *builder, uint32_t index, uint32_t *planes,
+                        uint32_t *quadrics)
+{
+    const struct csgcast_scene *scene = builder->scene;
+    const struct csg_carriers *carriers = scene->carriers;
+    const struct csg_object *object = &scene->objects->data[index];
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        const uint32_t leaf = nodes[i].leaf, quadric = carriers->quadric_faces[leaf].carrier;
+        for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
+            join_user(builder, &planes[carriers->faces[j].carrier], index);
+        if (quadric != CSG_NO_CARRIER)
+            join_user(builder, &quadrics[quadric], index);
+    }
+}
+
+/* Objects with a carrier in common have equal depths on it; then file order decides. */
+static bool join_objects(struct builder *builder)
+{
+    const struct csg_carriers *carriers = builder->scene->carriers;
+    const size_t num = carriers->num_planes + carriers->num_quadrics;
+    uint32_t *first = malloc((num + 1) * sizeof *first);
+    if (!first)
+        return false;
+    memset(first, 0xff, num * sizeof *first);
+    for (uint32_t i = 0; i < builder->scene->objects->num; i++)
+        join_object(builder, i, first, first + carriers->num_planes);
+    free(first);
+    return true;
+}
+
+/* Classes are drawn one after the other: kin of several classes are left to file order. */
+static void part_classes(struct builder *builder)
+{
+    const size_t num = builder->scene->objects->num;
+    for (uint32_t i = 0; i < num; i++) {
+        const uint32_t root = root_of(builder->parents, i);
+        if (builder->keys[i] != builder->keys[root])
+            builder->keys[root] = NO_CLASS;
+    }
+    for (uint32_t i = 0; i < num; i++)
+        builder->keys[i] = builder->keys[root_of(builder->parents, i)];
+}
+
+static bool classify(struct builder *builder)
+{
+    const struct csg_objects *objects = builder->scene->objects;
+    builder->keys = malloc(objects->num + 1);
+    builder->parents = malloc((objects->num + 1) * sizeof *builder->parents);
+    if (!builder->keys || !builder->parents)
+        return false;
+    for (uint32_t i = 0; i < objects->num; i++) {
+        builder->keys[i] = key_of(builder->scene, &objects->data[i]);
+        builder->parents[i] = i;
+    }
+    if (builder->scene->carriers->num_shared == 0)
+        return true;
+    if (!join_objects(builder))
+        return false;
+    part_classes(builder);
+    return true;
+}
+
+/* Counts members; a class's members are contiguous. */
+static void plan_classes(struct csg_crowd *crowd, const struct builder *builder,
+                         size_t next[NUM_KEYS])
+{
+    size_t counts[NUM_KEYS] = {0};
+    const size_t num = builder->scene->objects->num;
+    for (size_t i = 0; i < num; i++)
+        if (builder->keys[i] != NO_CLASS)
+            counts[builder->keys[i]]++;
+    for (uint32_t key = 0; key < NUM_KEYS; key++) {
+        next[key] = crowd->num;
+        if (!counts[key])
+            continue;
+        crowd->classes[crowd->num_classes++] = (struct csg_crowd_class){
+            .ball = key == BALL_KEY,
+            .has_quadric = key == BALL_KEY || key % 2 == 1,
+            .num_planes = key == BALL_KEY ? 0 : key / 2,
+            .begin = crowd->num,
+            .end = crowd->num + counts[key]};
+        crowd->num += counts[key];
+    }
+    crowd->num_others = num - crowd->num;
+}
+
+static bool allocate(struct csg_crowd *crowd)
+{
+    double *lengths = malloc((4 * crowd->num + 1) * sizeof *lengths);
+    uint32_t *numbers = malloc((3 * crowd->num + crowd->num_others + 1) * sizeof *numbers);
+    crowd->opaque = malloc(crowd->num + 1);
+    crowd->need = malloc((crowd->num + 1) * sizeof *crowd->need);
+    crowd->x = lengths;
+    crowd->object = numbers;
+    if (!lengths || !numbers || !crowd->opaque || !crowd->need)
+        return false;
+    crowd->y = crowd->x + crowd->num;
+    crowd->z = crowd->y + crowd->num;
+    crowd->radius = crowd->z + crowd->num;
+    crowd->leaf = crowd->object + crowd->num;
+    crowd->kin = crowd->leaf + crowd->num;
+    crowd->others = crowd->kin + crowd->num;
+    return true;
+}
+
+static void put_ball(struct csg_crowd *crowd, size_t at, const struct csgcast_scene *scene, bool ball)
+{
+    const uint32_t leaf = crowd->leaf[at];
+    const struct csg_shape *shape = &scene->leaves[leaf].shape;
+    struct csg_vec3 center =
+        csg_map_point(&shape->frame, csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi)));
+    double radius = 0;
+    for (int i = 0; i < 8 && !ball; i++)
+        radius = fmax(radius, csg_length(csg_sub(csg_map_point(&shape->frame,
+                                                               csg_box_corner(&shape->bounds, i)),
+                                                 center)));
+    if (ball)
+        csg_quadric_ball(&scene->carriers->quadrics[scene->carriers->quadric_faces[leaf].carrier],
+                         &center, &radius);
+    crowd->x[at] = center.x;
+    crowd->y[at] = center.y;
+    crowd->z[at] = center.z;
+    crowd->radius[at] = radius;
+}
+
+static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[NUM_KEYS])
+{
+    const struct csgcast_scene *scene = builder->scene;
+    size_t num_others = 0;
+    for (uint32_t i = 0; i < scene->objects->num; i++) {
+        const uint8_t key = builder->keys[i];
+        if (key == NO_CLASS) {
+            crowd->others[num_others++] = i;
+            continue;
+        }
+        const size_t at = next[key]++;
+        const struct csg_object *object = &scene->objects->data[i];
+        crowd->object[at] = i;
+        crowd->leaf[at] = scene->trees[object->layer].data[object->begin].leaf;
+        const uint32_t root = root_of(builder->parents, i);
+        crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
+        crowd->need[at] = (float)csg_precision_need(&scene->sharpness[i]);
+        crowd->least_need = fminf(crowd->least_need, crowd->need[at]);
+        put_ball(crowd, at, scene, key == BALL_KEY);
+    }
+}
+
+void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scene)
+{
+    for (size_t i = 0; i < crowd->num; i++) {
+        const float alpha = scene->leaves[crowd->leaf[i]].color[3];
+        crowd->opaque[i] = alpha < 0 || alpha >= 1;
+    }
+}
+
+/* A root's own number counts where it has kin. */
+static bool number_kin(struct csg_crowd *crowd, const struct builder *builder)
+{
+    uint8_t *has_kin = calloc(builder->scene->objects->num + 1, 1);
+    for (size_t i = 0; i < crowd->num && has_kin; i++)
+        if (crowd->kin[i] != CSG_CROWD_NO_KIN)
+            has_kin[crowd->kin[i]] = 1;
+    for (size_t i = 0; i < crowd->num && has_kin; i++)
+        if (has_kin[crowd->object[i]])
+            crowd->kin[i] = crowd->object[i];
+    const bool ok = has_kin != NULL;
+    free(has_kin);
+    return ok;
+}
+
+struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
+{
+    struct builder builder = {.scene = scene};
+    struct csg_crowd *crowd = calloc(1, sizeof *crowd);
+    size_t next[NUM_KEYS];
+    bool ok = crowd && classify(&builder);
+    if (ok) {
+        crowd->least_need = INFINITY;
+        plan_classes(crowd, &builder, next);
+        ok = allocate(crowd);
+    }
+    if (ok) {
+        fill(crowd, &builder, next);
+        csg_crowd_recolor(crowd, scene);
+        ok = number_kin(crowd, &builder);
+    }
+    free(builder.keys);
+    free(builder.parents);
+    if (ok)
+        return crowd;
+    csg_crowd_destroy(crowd);
+    return NULL;
+}
+
+void csg_crowd_destroy(struct csg_crowd *crowd)
+{
+    if (!crowd)
+        return;
+    free(crowd->x);
+    free(crowd->object);
+    free(crowd->opaque);
+    free(crowd->need);
+    free(crowd);
+}

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CROWD_CROWD_H
+#define CSG_CROWD_CROWD_H
+
+/*
+ * Crowds: objects of the model that are one convex, bounded, opaque solid each. However many there
+ * are, each is one instance of a one-solid program (shaders/csg/single.glsl), and those that cannot
+ * be seen are left out by arithmetic over plain arrays (crowd/cull.h).
+ */
+
+#include <stdint.h>
+
+#include "csg/scene.h"
+
+/* More planes make an object no member. */
+#define CSG_CROWD_MAX_PLANES 6
+
+/* Members whose terms are found alike; one run of the arrays. */
+struct csg_crowd_class {
+    bool ball;          /* a sphere to the noise of double arithmetic: its ball is itself */
+    bool has_quadric;
+    uint32_t num_planes;
+    size_t begin, end;  /* members, in the order of their objects */
+};
+
+#define CSG_CROWD_NO_KIN UINT32_MAX
+
+/* One entry a member, ordered by class, then by object. */
+struct csg_crowd {
+    size_t num;
+    double *x, *y, *z, *radius; /* a ball around the solid */
+    uint32_t *object, *leaf;
+    uint32_t *kin;    /* a number that members joined by shared carriers have in common; or NO_KIN */
+    float *need;      /* see csg_precision_need */
+    float least_need; /* of all */
+    uint8_t *opaque;
+    struct csg_crowd_class classes[2 * (CSG_CROWD_MAX_PLANES + 1) + 1];
+    size_t num_classes;
+    uint32_t *others; /* the objects that are no members */
+    size_t num_others;
+};
+
+/* The scene's objects and carriers are there. NULL: out of memory. */
+struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene);
+void csg_crowd_destroy(struct csg_crowd *crowd);
+
+/* Looks at the leaves' colours again. */
+void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scene);
+
+#endif

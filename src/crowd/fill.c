@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+#include "crowd/fill.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/parallel.h"
+#include "crowd/cull.h"
+#include "csg/carrier.h"
+#include "crowd/crowd.h"
+#include "pack/ball.h"
+#include "pack/terms.h"
+
+struct filler {
+    struct csg_cull cull;
+    struct csg_frame *frame;
+    const struct csgcast_scene *scene;
+    const struct csg_frame_params *params;
+    size_t *instances; /* per block: where its first instance goes, in floats */
+    size_t *texels;    /* ... and its first attribute block */
+    size_t *pixels;    /* covered by the block's rectangles */
+    bool square;
+};
+
+static size_t stride_of(const struct csg_crowd_class *class)
+{
+    return 4 + (class->has_quadric ? 12u : 0u) + 4 * (size_t)class->num_planes + 1;
+}
+
+/* Attribute blocks begin at multiples of four texels. */
+static size_t texels_of(const struct csg_crowd_class *class)
+{
+    const size_t normals = (class->has_quadric ? CSG_NORMAL_TERMS : 0u) + class->num_planes;
+    return (CSG_ATTRIBUTE_NORMALS + normals + 3) / 4 * 4;
+}
+
+/* ---- one instance ---- */
+
+static void put_rect(const struct filler *filler, const struct csg_candidate *candidate, float *out)
+{
+    const double size[2] = {filler->frame->screen.width, filler->frame->screen.height};
+    for (int i = 0; i < 2; i++) {
+        out[i] = (float)(2 * candidate->lo[i] / size[i] - 1);
+        out[2 + i] = (float)(2 * (candidate->hi[i] + 1) / size[i] - 1);
+    }
+}
+
+static void put_normal(float *texel, const float normal[3], double sign, float mark)
+{
+    for (int i = 0; i < 3; i++)
+        texel[i] = (float)(sign * (double)normal[i]);
+    texel[3] = mark;
+}
+
+/* false: the quadric is stiff in this view. */
+static bool put_quadric(const struct filler *filler, const struct csg_crowd_class *class,
+                        uint32_t member, float *out, float (*normals)[4], float mark)
+{
+    const struct csg_crowd *crowd = filler->cull.crowd;
+    const struct csg_frame *frame = filler->frame;
+    double texels[CSG_QUADRIC_TEXELS][4];
+    const float base[3] = {0, 0, 0};
+    float terms[CSG_NORMAL_TERMS][3];
+    if (class->ball && filler->square) {
+        const struct csg_vec3 center = {crowd->x[member], crowd->y[member], crowd->z[member]};
+        csg_screen_ball(&frame->screen, frame->at, center, crowd->radius[member], texels);
+        csg_screen_ball_normal(&frame->screen, frame->at, center, terms);
+    } else {
+        const uint32_t leaf = crowd->leaf[member];
+        const struct csg_carriers *carriers = filler->scene->carriers;
+        csg_terms_crossings(frame, filler->scene, leaf, texels, NULL);
+        csg_screen_normal(&frame->screen, frame->at,
+                          &carriers->quadrics[carriers->quadric_faces[leaf].carrier], base, terms);
+    }
+    for (int i = 0; i < 12; i++)
+        out[i] = (float)texels[i / 4][i % 4];
+    for (int i = 0; i < CSG_NORMAL_TERMS; i++)
+        put_normal(normals[i], terms[i], 1, i == 0 ? -mark : 0);
+    return !((int)texels[0][3] & CSG_QUADRIC_STIFF);
+}
+
+static void put_planes(const struct filler *filler, uint32_t leaf, float *out, float (*normals)[4],
+                       float mark)
+{
+    const struct csg_carriers *carriers = filler->scene->carriers;
+    const struct csg_frame *frame = filler->frame;
+    const uint32_t begin = carriers->face_begin[leaf], end = carriers->face_begin[leaf + 1];
+    for (uint32_t i = begin; i < end; i++, out += 4) {
+        const struct csg_face face = carriers->faces[i];
+        const struct csg_plane *plane = &carriers->planes[face.carrier];
+        const float normal[3] = {(float)plane->normal.x, (float)plane->normal.y,
+                                 (float)plane->normal.z};
+        double texel[4];
+        csg_screen_plane(&frame->screen, frame->at, plane, face.flipped, texel);
+        for (int j = 0; j < 3; j++)
+            out[j] = (float)texel[j];
+        out[3] = texel[3] < 0 ? CSG_KEY_MAX : 0;
+        put_normal(normals[i - begin], normal, face.flipped ? -1 : 1, mark);
+    }
+}
+
+/* The leaf's colour, number and normals at texel place; its instance at out. false: demoted. */
+static bool put_member(const struct filler *filler, const struct csg_crowd_class *class,
+                       const struct csg_candidate *candidate, size_t place, float *out)
+{
+    const uint32_t leaf = filler->cull.crowd->leaf[candidate->member];
+    float(*block)[4] = (float(*)[4])(filler->frame->texels.data + 4 * place);
+    float(*normals)[4] = block + CSG_ATTRIBUTE_NORMALS;
+    const float mark = (float)(place / 4 + 1);
+    const int32_t first = (int32_t)(place + CSG_ATTRIBUTE_NORMALS);
+    put_rect(filler, candidate, out);
+    csg_face_color(filler->params->scheme, &filler->scene->leaves[leaf], NULL, CSG_LAYER_MODEL,
+                   false, block[CSG_ATTRIBUTE_COLOR]);
+    block[CSG_ATTRIBUTE_LEAF][0] = (float)leaf;
+    memcpy(out + stride_of(class) - 1, &first, sizeof first);
+    out += 4;
+    if (class->has_quadric) {
+        if (!put_quadric(filler, class, candidate->member, out, normals, mark))
+            return false;
+        out += 12;
+        normals += CSG_NORMAL_TERMS;
+    }
+    put_planes(filler, leaf, out, normals, mark);
+    return true;
+}
+
+static void fill_block(void *user, size_t task)
+{
+    struct filler *filler = user;
+    const struct csg_crowd_block *block = &filler->cull.blocks.data[task];
+    const struct csg_crowd_class *class = &filler->cull.crowd->classes[block->class];
+    float *out = filler->frame->crowd.instances.data + filler->instances[task];
+    size_t place = filler->texels[task];
+    filler->pixels[task] = 0;
+    for (uint32_t i = 0; i < block->num; i++) {
+        const struct csg_candidate *candidate = &filler->cull.candidates[block->begin + i];
+        if (!filler->cull.crowd->opaque[candidate->member] ||
+            !put_member(filler, class, candidate, place, out)) {
+            memset(out, 0, stride_of(class) * sizeof *out); /* a rectangle without pixels */
+            filler->cull.demoted[candidate->member] = 1;
+        } else {
+            filler->pixels[task] += (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
+                                    (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
+        }
+        out += stride_of(class);
+        place += texels_of(class);
+    }
+}
+
+/* ---- all of them ---- */
+
+/* One run a class; where each block's instances and attribute blocks go. */
+static bool plan(struct filler *filler)
+{
+    struct csg_frame_crowd *out = &filler->frame->crowd;
+    const struct csg_cull *cull = &filler->cull;
+    size_t floats = 0, texels = (filler->frame->texels.num / 4 + 3) / 4 * 4;
+    uint32_t last = UINT32_MAX;
+    for (size_t i = 0; i < cull->blocks.num; i++) {
+        const struct csg_crowd_block *block = &cull->blocks.data[i];
+        const struct csg_crowd_class *class = &cull->crowd->classes[block->class];
+        const struct csg_crowd_run run = {class->has_quadric, class->num_planes, floats,
+                                          stride_of(class), 0};
+        if (block->class != last && !csg_array_push(&out->runs, run))
+            return false;
+        last = block->class;
+        out->runs.data[out->runs.num - 1].num += block->num;
+        filler->instances[i] = floats;
+        filler->texels[i] = texels;
+        floats += block->num * stride_of(class);
+        texels += block->num * texels_of(class);
+    }
+    const size_t added = 4 * texels - filler->frame->texels.num;
+    if (!csg_array_reserve(&out->instances, floats + 1) ||
+        !csg_array_reserve(&filler->frame->texels, added))
+        return false;
+    memset(filler->frame->texels.data + filler->frame->texels.num, 0, added * sizeof(float));
+    filler->frame->texels.num += added;
+    out->instances.num = floats;
+    return true;
+}
+
+/* Members with carriers in common stay together: file order decides where they tie. What of them is
+ * drawn twice has the same keys both times. */
+static bool demote_kin(struct filler *filler)
+{
+    const struct csg_crowd *crowd = filler->cull.crowd;
+    uint8_t *demoted = filler->cull.demoted;
+    bool any = false;
+    for (size_t i = 0; i < crowd->num && !any; i++)
+        any = demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN;
+    uint8_t *kin = any ? calloc(filler->scene->objects->num + 1, 1) : NULL;
+    if (!kin)
+        return !any;
+    for (size_t i = 0; i < crowd->num; i++)
+        if (demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN)
+            kin[crowd->kin[i]] = 1;
+    for (size_t i = 0; i < crowd->num; i++)
+        demoted[i] |= crowd->kin[i] != CSG_CROWD_NO_KIN && kin[crowd->kin[i]];
+    free(kin);
+    return true;
+}
+
+static int compare_objects(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* The objects that are no members, and the demoted ones. */
+static bool list_objects(const struct filler *filler)
+{
+    struct csg_frame *frame = filler->frame;
+    const struct csg_crowd *crowd = filler->cull.crowd;
+    if (!csg_array_reserve(&frame->listed, crowd->num_others + 1))
+        return false;
+    memcpy(frame->listed.data, crowd->others, crowd->num_others * sizeof *crowd->others);
+    frame->listed.num = crowd->num_others;
+    for (size_t i = 0; i < crowd->num; i++)
+        if (filler->cull.demoted[i] && !csg_array_push(&frame->listed, crowd->object[i]))
+            return false;
+    if (frame->listed.num > crowd->num_others)
+        qsort(frame->listed.data, frame->listed.num, sizeof *frame->listed.data, compare_objects);
+    return true;
+}
+
+static bool fill(struct filler *filler)
+{
+    const size_t num = filler->cull.blocks.num;
+    filler->instances = malloc((3 * num + 1) * sizeof *filler->instances);
+    if (!filler->instances)
+        return false;
+    filler->texels = filler->instances + num;
+    filler->pixels = filler->texels + num;
+    if (!plan(filler))
+        return false;
+    csg_parallel(num, fill_block, filler);
+    for (size_t i = 0; i < num; i++) {
+        filler->frame->proxy_pixels += filler->pixels[i];
+        filler->frame->solid_tests += filler->pixels[i]; /* each has one solid */
+    }
+    return demote_kin(filler) && list_objects(filler);
+}
+
+bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
+                    const struct csg_frame_params *params)
+{
+    struct filler filler = {.cull = {.scene = scene, .crowd = scene->crowd,
+                                     .screen = &frame->screen, .at = frame->at},
+                            .frame = frame, .scene = scene, .params = params,
+                            .square = csg_screen_is_square(&frame->screen)};
+    frame->crowd.runs.num = frame->crowd.instances.num = 0;
+    const bool ok = csg_cull_run(&filler.cull) && fill(&filler);
+    csg_cull_finish(&filler.cull);
+    free(filler.instances);
+    return ok;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CROWD_RUN_H
+#define CSG_CROWD_RUN_H
+
+#include <stdint.h>
+
+#include "common/array.h"
+
+/*
+ * The members of one class that a frame draws. Vertex attributes of an instance, all floats: its
+ * rectangle in clip space, three texels of its quadric if any, the texel of each plane with 0
+ * (entry) or CSG_KEY_MAX (exit) in place of the face, and, an integer, the place of its normals in
+ * the data texture.
+ */
+struct csg_crowd_run {
+    bool has_quadric;
+    uint32_t num_planes;
+    size_t first, stride; /* in floats */
+    size_t num;           /* instances */
+};
+
+struct csg_frame_crowd {
+    CSG_ARRAY(float) instances;
+    CSG_ARRAY(struct csg_crowd_run) runs;
+};
+
+#endif
