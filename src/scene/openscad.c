@@ -110,18 +110,35 @@ static void finish(struct run *run)
     free(run->input);
 }
 
-/* openscad -o OUTPUT [-D name=value]... INPUT. The strings are borrowed; the caller frees argv. */
+/*
+ * A -D is an assignment at the end of the file: variables before it that were made of $preview would
+ * keep the old one. openscad --render sets it before the file is read.
+ */
+static bool is_render(const char *define)
+{
+    return strcmp(define, "$preview=false") == 0;
+}
+
+/* openscad [--render] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed; the caller frees
+ * argv. */
 static char **make_argv(const struct run *run, const struct csgcast_scene_params *params)
 {
     const size_t num_defines = params->defines ? params->num_defines : 0;
-    char **argv = calloc(2 * num_defines + 5, sizeof *argv);
+    char **argv = calloc(2 * num_defines + 6, sizeof *argv);
+    bool render = false;
     size_t num = 0;
     if (!argv)
         return NULL;
+    for (size_t i = 0; i < num_defines; i++)
+        render |= is_render(params->defines[i]);
     argv[num++] = (char *)(uintptr_t)run->program;
+    if (render) /* not in front of the input, which it would take for its value */
+        argv[num++] = (char *)(uintptr_t) "--render";
     argv[num++] = (char *)(uintptr_t) "-o";
     argv[num++] = run->output;
     for (size_t i = 0; i < num_defines; i++) {
+        if (is_render(params->defines[i]))
+            continue;
         argv[num++] = (char *)(uintptr_t) "-D";
         argv[num++] = (char *)(uintptr_t)params->defines[i];
     }

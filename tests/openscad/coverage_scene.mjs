@@ -94,8 +94,8 @@ async function isRandom(scene, stem, options) {
 async function makeMesh(scene, stem, options) {
     const stl = `${stem}.binary.stl`;
     rmSync(stl, { force: true });
-    const result = await run("openscad", ["-o", stl, "--export-format=binstl", "-D",
-        "$preview=true", scene.file], { seconds: options.seconds, cwd: dirname(scene.file) });
+    const result = await run("openscad", ["-o", stl, "--export-format=binstl", scene.file],
+        { seconds: options.seconds, cwd: dirname(scene.file) });
     const mesh = { result: judgeMesh(result, stl), seconds: result.ms / 1000 };
     if (mesh.result === "ok" && await isRandom(scene, stem, options)) {
         mesh.result = "random";
@@ -114,14 +114,15 @@ const firstError = (text) => text.split("\n").find((line) => /error/.test(line))
 
 async function draw(scene, stem, options) {
     const limits = { seconds: options.seconds, cwd: dirname(scene.file) };
-    const picture = await run(options.csgcast, ["render", scene.file, "-o", `${stem}.png`, "-q"],
-        limits);
+    const picture = await run(options.csgcast, ["render", scene.file, "-o", `${stem}.png`, "-q",
+        "--render"], limits);
     if (picture.status !== 0)
         return {
             result: picture.signal || picture.status === null ? "timeout" : "error",
             reason: firstError(picture.err).replaceAll(`${scene.root}/`, ""),
         };
-    const info = await run(options.csgcast, ["info", scene.file, "--json", "--no-gl", "-q"], limits);
+    const info = await run(options.csgcast, ["info", scene.file, "--json", "--no-gl", "-q",
+        "--render"], limits);
     const counts = info.status === 0 ? JSON.parse(info.out) : {};
     return {
         result: "ok", leaves: counts.leaves, exact: counts.exact, facetted: counts.facetted,
@@ -152,7 +153,7 @@ function sumViews(text) {
 
 async function agree(scene, stem, options) {
     const seed = parseInt(digest(relative(scene.root, scene.file)).slice(0, 4), 16);
-    const result = await run(options.referee, ["--name=" + stem, "--facets=as-written",
+    const result = await run(options.referee, ["--name=" + stem, "--facets=as-written", "--render",
         `--depth-of-radius=${depthBar}`, `--seed=${seed}`, ...views, scene.file, `${stem}.stl`],
     { seconds: 4 * options.seconds, cwd: dirname(scene.file) });
     const sum = sumViews(result.out);

@@ -102,6 +102,8 @@ static bool parse_option(const char *text, struct options *options)
     const size_t length = equals ? (size_t)(equals - text) : strlen(text);
     if (strcmp(text, "converge") == 0)
         return options->converge = true;
+    if (strcmp(text, "render") == 0)
+        return options->render = true;
     if (!equals || length >= sizeof name)
         return false;
     memcpy(name, text, length);

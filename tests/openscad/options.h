@@ -15,7 +15,7 @@ struct options {
     struct csgcast_view view; /* its camera is used when has_camera */
     bool has_camera;
     unsigned views, seed; /* random views: seed, seed + 1, ... */
-    bool converge;
+    bool converge, render;
     double sagitta;   /* scene units; for --converge that of the first mesh */
     double depth;     /* relative error of z that is allowed */
     double depth_of_radius; /* above 0: the allowed error is this part of the scene's radius */

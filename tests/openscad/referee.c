@@ -20,6 +20,7 @@
  *   --edge=P      part of the edge pixels that may mismatch, 0.02; exact facets: any
  *   --thin=P      part of the hits that may need a look 1/50 pixel aside, 0.002
  *   --off=N       mismatches off the edges that are allowed, 0
+ *   --render      for .scad: $preview is false, as where OpenSCAD exports a mesh
  *   --converge    each mesh has twice the fragments of the one before: the distance to csgcast's
  *                 surface must shrink fourfold; --sagitta is that of the first mesh
  */
@@ -49,7 +50,9 @@ struct session {
 
 static bool session_init(struct session *session, const struct options *options)
 {
-    const struct csgcast_scene_params scene_params = {.facets = options->facets};
+    static const char *const defines[] = {"$preview=false"};
+    const struct csgcast_scene_params scene_params = {
+        .facets = options->facets, .defines = defines, .num_defines = options->render};
     const struct csgcast_renderer_params renderer_params = {.backend = options->backend};
     const size_t num_pixels = (size_t)options->view.width * (size_t)options->view.height;
     *session = (struct session){
