@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # handoff.sh CSGCAST: subtrees that only openscad can evaluate, and the cache of what it made of
-# them. The scenes use projection() of a Boolean: where that becomes native, take another node.
+# them. The scenes use import_dxf(), an old name that is not native.
 
 csgcast=$(readlink -f "$1")
 # shellcheck source=tests/cli/checks.sh
@@ -11,24 +11,32 @@ unset OPENSCAD XDG_CACHE_HOME CSGCAST_CACHE_SIZE
 export CSGCAST_CACHE=$work/cache
 mkdir -p parts elsewhere
 
-# scene NAME SIZE: a plate with the shadow of a bored block of that size.
+# dxf NAME SIZE: a drawing of a rectangle, [SIZE, 3] with a corner cut off.
+dxf()
+{
+    echo "difference() { square([$2, 3]); square(1); }" >shape.scad
+    openscad -o "$1" shape.scad >openscad.log 2>&1 || cat openscad.log
+    rm -f shape.scad openscad.log
+}
+
+# scene NAME SIZE: a plate with a hole of that shape.
 scene()
 {
+    dxf "shape$2.dxf" "$2"
     cat >"$1" <<END
 difference() {
 	cube(size = [10, 10, 2]);
 	linear_extrude(height = 5) {
-		projection(cut = false, convexity = 0) {
-			difference() {
-				cube(size = [$2, 4, 4], center = false);
-				multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, -1], [0, 0, 0, 1]]) {
-					cylinder(\$fn = 8, \$fa = 12, \$fs = 2, h = 9, r1 = 1, r2 = 1);
-				}
-			}
-		}
+		import_dxf(file = "shape$2.dxf");
 	}
 }
 END
+}
+
+# says_nothing_new: nothing but OpenSCAD's own warning that the node is an old one.
+says_nothing_new()
+{
+    check "says nothing" test "$(grep -cv 'openscad: DEPRECATED: The import_dxf() module' err)" = 0
 }
 
 # prints_way TEXT: info has such a line about openscad.
@@ -45,22 +53,22 @@ entries()
 
 scene a.csg 4
 expect 0 "a node is handed over" info a.csg --no-gl
-prints_way "projection, a.csg:4:3"
+prints_way "import_dxf, a.csg:4:3"
 prints "by openscad        1"
+says "warning: a.csg:4:3: openscad: DEPRECATED: The import_dxf() module"
 check "one entry in the cache" test "$(entries cache)" = 1
 expect 0 "again" info a.csg --no-gl
 prints_way "from the cache"
 expect 0 "without the cache" info a.csg --no-gl --no-cache
 check "not from the cache" test "$(grep -c 'from the cache' out)" = 0
 
-# The plate has 200 - 2 (16 - the octagon's area): both 2D and 3D results end up at their places.
 expect 0 "drawn" render a.csg -o a.png --imgsize=64,64 --camera=5,5,30,5,5,0
 check "a picture" is_png a.png
 expect 1 "not handed over" info a.csg --no-gl --no-handoff
-says "a.csg:4:3: projection is not supported yet; --skip-unsupported draws the rest"
+says "a.csg:4:3: import_dxf is not supported yet; --skip-unsupported draws the rest"
 
 OPENSCAD=/nowhere/openscad expect 1 "no openscad" info a.csg --no-gl
-says "a.csg:4:3: projection: only openscad can evaluate it, and '/nowhere/openscad' does not run"
+says "a.csg:4:3: import_dxf: only openscad can evaluate it, and '/nowhere/openscad' does not run"
 OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported
 says "warning: a.csg:4:3"
 
@@ -88,7 +96,7 @@ for file in cache/*.csgcast; do
     truncate -s 30 "$file"
 done
 expect 0 "a short entry" info a.csg --no-gl
-is_silent
+says_nothing_new
 rm -f dd.log
 
 # The bound: what was not used for the longest time goes.
@@ -110,36 +118,38 @@ expect 0 "the second" info b.csg --no-gl
 check "had to go" test "$(grep -c 'from the cache' out)" = 0
 
 # Imported files belong to the key, found from the scene's folder.
-cat >parts/cut.scad <<'END'
-linear_extrude(1) projection() difference() { import("block.stl"); cube(1); }
-END
-block()
-{
-    echo "cube([$1, 3, 3]);" >block.scad
-    openscad -o "$2" block.scad >openscad.log 2>&1 || cat openscad.log
-    rm -f block.scad openscad.log
-}
-block 3 parts/block.stl
-(cd elsewhere && "$csgcast" info ../parts/cut.scad --no-gl >../out 2>../err)
+echo 'linear_extrude(height = 1) import_dxf(file = "block.dxf");' >parts/cut.csg
+dxf parts/block.dxf 3
+(cd elsewhere && "$csgcast" info ../parts/cut.csg --no-gl >../out 2>../err)
 report $? "an import in another folder"
 prints "bounds             0 0 0 to 3 3 1"
-block 5 parts/block.stl
-expect 0 "the file has changed" info parts/cut.scad --no-gl
+dxf parts/block.dxf 5
+expect 0 "the file has changed" info parts/cut.csg --no-gl
 prints "bounds             0 0 0 to 5 3 1"
-rm parts/block.stl
-expect 0 "the file is gone" info parts/cut.scad --no-gl
-says "WARNING: Can't open import file"
+rm parts/block.dxf
+expect 0 "the file is gone" info parts/cut.csg --no-gl
+says "parts/cut.csg:1:28: openscad: WARNING: Can't open"
 prints "bounds             empty"
+
+# A solid, and the same subtree twice: openscad is asked once.
+cat >solid.csg <<'END'
+dxf_linear_extrude(file = "shape4.dxf", height = 2);
+translate([0, 5, 0]) dxf_linear_extrude(file = "shape4.dxf", height = 2);
+END
+expect 0 "solids" info solid.csg --no-gl
+prints "by openscad        2"
+prints "bounds             0 0 0 to 4 8 2"
+prints "kinds              openscad"
 
 # Nowhere to write: no word about it.
 rm -rf cache
 CSGCAST_CACHE='' XDG_CACHE_HOME='' HOME=/nowhere expect 0 "an empty \$CSGCAST_CACHE" info a.csg --no-gl
-is_silent
+says_nothing_new
 (unset CSGCAST_CACHE HOME XDG_CACHE_HOME && "$csgcast" info a.csg --no-gl >out 2>err)
 report $? "no home"
-is_silent
+says_nothing_new
 CSGCAST_CACHE=/proc/nowhere expect 0 "a folder that cannot be made" info a.csg --no-gl
-is_silent
+says_nothing_new
 (unset CSGCAST_CACHE && XDG_CACHE_HOME=$work/xdg "$csgcast" info a.csg --no-gl >out 2>err)
 check "the XDG folder" test "$(entries xdg/csgcast)" = 1
 (unset CSGCAST_CACHE && HOME=$work/home "$csgcast" info a.csg --no-gl >out 2>err)
