@@ -96,6 +96,9 @@ static bool load_scenes(struct run *run)
     run->scene = load(run, run->params);
     if (!run->scene)
         return false;
+    struct csgcast_scene_info info;
+    csgcast_scene_get_info(run->scene, &info);
+    run->compared.sagitta = info.sagitta;
     run->compared.by_facets = run->options->compare.sagitta == 0;
     if (!run->compared.by_facets || run->params.facets == CSGCAST_FACETS_AS_WRITTEN)
         return true;
@@ -158,16 +161,15 @@ static struct csgcast_view view_of(const struct run *run, int number, const char
     return view;
 }
 
-/* How far two pictures of the surface are apart, across it. */
-static double across(const struct csg_mesh_view *mesh, const float *z, const float *normal,
-                     const float *z_written, size_t i)
+/* How far the exact surface is from the plane of the mesh's facet there. */
+static double across(const struct csg_compared_view *view, const float *z_written, size_t i)
 {
+    const struct csg_mesh_view *mesh = &view->mesh;
     const struct csg_mesh_ray ray = csg_frustum_ray(&mesh->frustum, mesh->width, mesh->height,
                                                     (double)(i % (size_t)mesh->width) + 0.5,
                                                     (double)(i / (size_t)mesh->width) + 0.5);
-    const float *n = normal + 3 * i;
-    const double slope = csg_dot(csg_vec3((double)n[0], (double)n[1], (double)n[2]), ray.dir);
-    return fabs((double)z[i] - (double)z_written[i]) * fabs(slope);
+    return fabs((double)view->z[i] - (double)z_written[i]) *
+           fabs(csg_dot(mesh->hits[i].normal, ray.dir));
 }
 
 /* Whether both pictures show one place of one solid there, with and without facets. */
@@ -191,8 +193,7 @@ static void measure_facets(const struct run *run, struct csg_compared_view *view
         if (view->mesh.edges[i] || judged->verdicts[i] != CSG_VERDICT_SAME ||
             !is_same_surface(run, view, written, i))
             continue;
-        view->facets =
-            fmax(view->facets, across(&view->mesh, view->z, view->normal, written->z, i));
+        view->facets = fmax(view->facets, across(view, written->z, i));
     }
 }
 
@@ -262,61 +263,6 @@ static bool compare_view(struct run *run, int number)
 
 /* ---- all together --------------------------------------------------------------------------- */
 
-/* Takes b into a; num: pixels of either. Whether b has the maximum. */
-static bool add_errors(struct csg_errors *a, size_t num_a, const struct csg_errors *b, size_t num_b)
-{
-    const double num = (double)(num_a + num_b);
-    const bool larger = b->max > a->max;
-    a->mean = num > 0 ? (a->mean * (double)num_a + b->mean * (double)num_b) / num : 0;
-    a->p99 = fmax(a->p99, b->p99);
-    a->p999 = fmax(a->p999, b->p999);
-    if (larger) {
-        a->max = b->max;
-        a->x = b->x;
-        a->y = b->y;
-    }
-    return larger;
-}
-
-static void add_view(struct csg_compared_total *total, const struct csg_compared_view *view,
-                     int number)
-{
-    const struct csg_comparison *r = &view->result;
-    const size_t before = total->num_compared;
-    if (add_errors(&total->depth, before, &r->depth, r->num_compared))
-        total->worst_depth = number;
-    if (add_errors(&total->normal, before, &r->normal, r->num_compared))
-        total->worst_normal = number;
-    add_errors(&total->relative, before, &r->relative, r->num_compared);
-    add_errors(&total->offset, before, &r->offset, r->num_compared);
-    total->num_compared += r->num_compared;
-    total->num_hits += r->num_hits;
-    total->num_missing += r->num_missing;
-    total->num_extra += r->num_extra;
-    total->num_wrong += view->num_wrong;
-    total->facets = fmax(total->facets, view->facets);
-}
-
-static void sum_up(struct csg_compared *compared)
-{
-    struct csg_compared_total *total = &compared->total;
-    for (int i = 0; i < compared->num_views; i++)
-        add_view(total, &compared->views[i], i);
-    const size_t either = total->num_hits + total->num_extra;
-    total->iou = either ? (double)(total->num_hits - total->num_missing) / (double)either : 1;
-    total->wrong = total->num_hits    ? (double)total->num_wrong / (double)total->num_hits
-                   : total->num_wrong ? 1
-                                      : 0;
-}
-
-struct csg_vec3 csg_compared_position(const struct csg_compared_view *view, int x, int y)
-{
-    const struct csg_mesh_view *mesh = &view->mesh;
-    const struct csg_mesh_ray ray =
-        csg_frustum_ray(&mesh->frustum, mesh->width, mesh->height, x + 0.5, y + 0.5);
-    return csg_add(ray.org, csg_scale(mesh->hits[y * mesh->width + x].t, ray.dir));
-}
-
 /* "dir/part.scad" gives "part.compare.png". */
 static void default_picture(const char *input, char path[NAME_MAX + 32])
 {
@@ -379,7 +325,7 @@ static bool compare_views(struct run *run)
     for (int i = 0; i < run->compared.num_views && ok; i++)
         ok = compare_view(run, i);
     if (ok)
-        sum_up(&run->compared);
+        csg_compared_sum_up(&run->compared);
     return ok;
 }
 

@@ -93,6 +93,9 @@ static void print_text(const struct report *report, const char *input, bool stat
     for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
         printf("%-18s %zu\n", count_rows[i].label, get_count(report, &count_rows[i]));
     print_ways(report, input);
+    if (report->scene.sagitta > 0)
+        printf("sagitta            %.3g: so far may OpenSCAD's facets be from the exact solids\n",
+               report->scene.sagitta);
     if (report->has_bounds)
         printf("bounds             %g %g %g to %g %g %g\n", report->lo[0], report->lo[1],
                report->lo[2], report->hi[0], report->hi[1], report->hi[2]);
@@ -160,6 +163,7 @@ static void print_json(const struct report *report, const char *input, bool stat
     for (size_t i = 0; i < NUM_COUNT_ROWS; i++)
         csg_json_size(&json, count_rows[i].key, get_count(report, &count_rows[i]));
     print_ways_json(&json, report);
+    csg_json_number(&json, "sagitta", report->scene.sagitta);
     if (report->has_bounds) {
         csg_json_vector(&json, "lo", report->lo);
         csg_json_vector(&json, "hi", report->hi);

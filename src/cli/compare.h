@@ -38,11 +38,15 @@ struct csg_compared {
     size_t num_triangles;
     double mesh_seconds; /* 0: given */
     double radius;       /* of the mesh, scene units */
+    double sagitta;      /* the bound: how far OpenSCAD's facets may be from what is drawn */
     bool by_facets;      /* wrong is judged with OpenSCAD's facets, else by --sagitta */
     int num_views;
     struct csg_compared_view views[CSG_COMPARE_MAX_VIEWS];
     struct csg_compared_total total;
 };
+
+/* Fills total from the views. */
+void csg_compared_sum_up(struct csg_compared *compared);
 
 /* The point of the mesh that pixel (x, y) of the view shows. */
 struct csg_vec3 csg_compared_position(const struct csg_compared_view *view, int x, int y);

@@ -69,9 +69,9 @@ static void print_total(const struct csg_compared *compared)
     printf("  normal error    mean %.3g, 99%% %.3g, max %.3g degrees\n", t->normal.mean,
            t->normal.p99, t->normal.max);
     if (compared->by_facets)
-        printf("  facets explain  %.3g scene units across the surface: as far are OpenSCAD's "
-               "facets from\n                  the surface drawn\n",
-               t->facets);
+        printf("  sagitta         OpenSCAD's facets are at most %.3g scene units off the surface drawn; "
+               "seen: %.3g\n",
+               compared->sagitta, t->facets);
     else if (compared->options->compare.sagitta > 0)
         printf("  sagitta         %.3g scene units across the surface are allowed\n",
                compared->options->compare.sagitta);
@@ -192,8 +192,9 @@ static void json_total(struct csg_json *json, const struct csg_compared *compare
     csg_json_size(json, "compared", t->num_compared);
     csg_json_size(json, "wrong", t->num_wrong);
     csg_json_number(json, "wrong_share", t->wrong);
+    csg_json_number(json, "sagitta", compared->sagitta);
     if (compared->by_facets)
-        csg_json_number(json, "facets_explain", t->facets);
+        csg_json_number(json, "sagitta_seen", t->facets);
     json_errors(json, "depth", &t->depth, NULL);
     json_errors(json, "relative_depth", &t->relative, NULL);
     json_errors(json, "across", &t->offset, NULL);

@@ -113,6 +113,10 @@ static bool add_variant(struct bench *bench, const char *variant)
     if (!drawer->renderer || !draw(bench, drawer))
         return false;
     drawer->item.first_ms = csg_clock_ms() - begun;
+    struct csgcast_stats stats;
+    csgcast_renderer_get_stats(drawer->renderer, &stats);
+    if (strcmp(variant, csg_report_variant(0)) != 0 && !strstr(stats.variants, variant))
+        snprintf(drawer->item.note, sizeof drawer->item.note, "does not draw this scene");
     return judge(bench, drawer);
 }
 

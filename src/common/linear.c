@@ -40,6 +40,20 @@ double csg_map_determinant(const struct csg_map *map)
     return csg_dot(column(map, 0), csg_cross(column(map, 1), column(map, 2)));
 }
 
+/* The largest eigenvalue of M M' by Gershgorin's circles. */
+double csg_map_stretch(const struct csg_map *map)
+{
+    double largest = 0;
+    for (int i = 0; i < 3; i++) {
+        double sum = 0;
+        for (int j = 0; j < 3; j++)
+            sum += fabs(map->m[i][0] * map->m[j][0] + map->m[i][1] * map->m[j][1] +
+                        map->m[i][2] * map->m[j][2]);
+        largest = fmax(largest, sum);
+    }
+    return sqrt(largest);
+}
+
 bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse)
 {
     const struct csg_vec3 a = column(map, 0), b = column(map, 1), c = column(map, 2);

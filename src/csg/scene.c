@@ -93,6 +93,7 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
             (*num_drawn)++;
             info->num_facetted += leaf->shape.facetted;
             info->num_exact += leaf->shape.has_quadric;
+            info->sagitta = fmax(info->sagitta, leaf->shape.sagitta);
             info->max_crossings += leaf->shape.has_quadric && !leaf->shape.convex ? 4 : 2;
         }
     }

@@ -98,8 +98,17 @@ static bool collect(const struct csg_part *from, const struct basis *basis,
     return ok;
 }
 
+/* The largest of the hull's cylinders: the discs here have corners of our own. */
+static double largest_sagitta(const struct csg_part *from)
+{
+    double largest = 0;
+    for (size_t i = 0; i < from->shapes.num; i++)
+        largest = fmax(largest, from->shapes.data[i].sagitta);
+    return largest;
+}
+
 static bool extrude(struct csg_part *part, const struct basis *basis,
-                    const struct csg_drawing *drawing)
+                    const struct csg_drawing *drawing, double sagitta)
 {
     const struct csg_lift lift = {basis->lo, 1, basis->hi, 1};
     const struct csg_map map = {{{basis->u.x, basis->v.x, basis->n.x, 0},
@@ -107,8 +116,10 @@ static bool extrude(struct csg_part *part, const struct basis *basis,
                                  {basis->u.z, basis->v.z, basis->n.z, 0}}};
     bool too_large;
     bool ok = csg_extrude(part, drawing, &lift, &too_large) || too_large;
-    for (size_t i = 0; i < part->shapes.num; i++)
+    for (size_t i = 0; i < part->shapes.num; i++) {
         ok = csg_shape_map(&part->shapes.data[i], &map) && ok;
+        part->shapes.data[i].sagitta = part->shapes.data[i].has_quadric ? sagitta : 0;
+    }
     part->is_too_large |= too_large;
     return ok;
 }
@@ -123,7 +134,8 @@ bool csg_disc_hull(struct csg_part *part, const struct csg_part *from, bool *tak
     const struct basis basis = basis_of(&from->shapes.data[0]);
     ok = collect(from, &basis, &drawing, &all);
     if (ok && all)
-        ok = csg_drawing_hull(&drawing, 0) == CSG_SWEEP_DONE && extrude(part, &basis, &drawing);
+        ok = csg_drawing_hull(&drawing, 0) == CSG_SWEEP_DONE && 
+             extrude(part, &basis, &drawing, largest_sagitta(from));
     *taken = ok && all;
     csg_drawing_finish(&drawing);
     return ok;

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "solids/facets.h"
+
 /* A node of the drawing that is open in the part. */
 struct open {
     uint32_t end; /* in the drawing */
@@ -19,6 +21,17 @@ struct extruder {
     bool too_large;
 };
 
+/* The contour of a disc has OpenSCAD's corners. */
+static double disc_sagitta(const struct extruder *extruder, const struct csg_figure *figure)
+{
+    const struct csg_contour *contour = &extruder->drawing->contours.data[figure->begin];
+    struct csg_map across = figure->disc;
+    across.m[2][2] = 0;
+    return csg_facets_sagitta(contour->end - contour->begin,
+                              csg_map_stretch(&across) *
+                                  fmax(extruder->lift->s0, extruder->lift->s1));
+}
+
 static bool add_disc(struct extruder *extruder, const struct csg_figure *figure, bool negated)
 {
     const struct csg_box section = csg_figure_written(extruder->drawing, figure);
@@ -28,6 +41,7 @@ static bool add_disc(struct extruder *extruder, const struct csg_figure *figure,
         return false;
     }
     shape.written = csg_lift_box(extruder->lift, &section);
+    shape.sagitta = disc_sagitta(extruder, figure);
     return csg_part_add(extruder->part, &shape, negated);
 }
 

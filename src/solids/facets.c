@@ -43,6 +43,13 @@ int csg_facets_count(const struct csg_facets *facets, double radius)
     return to_count(ceil(fmax(fmin(360 / facets->fa, radius * 2 * PI / facets->fs), 5)));
 }
 
+/* radius (1 - cos(pi / num)), without the difference. */
+double csg_facets_sagitta(double num, double radius)
+{
+    const double s = sin(0.5 * 3.14159265358979323846 / fmax(num, 1));
+    return 2 * radius * s * s;
+}
+
 bool csg_facets_wanted(const struct csg_args *args, const struct csg_facets *facets)
 {
     if (args->facets == CSGCAST_FACETS_AUTO)

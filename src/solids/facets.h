@@ -16,6 +16,9 @@ struct csg_facets csg_args_facets(const struct csg_args *args);
 /* Fragments of a circle: Calc::get_fragments_from_r of OpenSCAD 2021.01. At least 3. */
 int csg_facets_count(const struct csg_facets *facets, double radius);
 
+/* How far the chords of num fragments are from the circle. */
+double csg_facets_sagitta(double num, double radius);
+
 /* Whether --facets makes this node polygonal: AS_WRITTEN, or AUTO and an explicit $fn of 1..12. */
 bool csg_facets_wanted(const struct csg_args *args, const struct csg_facets *facets);
 

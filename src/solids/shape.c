@@ -58,6 +58,7 @@ bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
     if (shape->has_quadric)
         shape->quadric.to_canon = csg_map_multiply(&shape->quadric.to_canon, &inverse);
     shape->frame = csg_map_multiply(map, &shape->frame);
+    shape->sagitta *= csg_map_stretch(map);
     return true;
 }
 

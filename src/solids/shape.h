@@ -52,6 +52,8 @@ struct csg_shape {
                                   * equal to bounds where OpenSCAD has no such solid */
     /* How far the surface may lie off because numbers in the file were rounded to six digits. */
     double rounding;
+    /* How far OpenSCAD's facets may be off the surface; 0 where there are none of them. */
+    double sagitta;
 };
 
 void csg_shape_finish(struct csg_shape *shape);

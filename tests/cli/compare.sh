@@ -65,7 +65,7 @@ holds_only cube.csg ball.scad ellipsoid.csg cube.stl larger.stl half.stl cube.ob
 
 # What openscad makes, and its facets.
 expect 0 "openscad's mesh" compare ball.scad "${small[@]}"
-prints "facets explain"
+prints "at most 0.171 scene units"
 check "ball.compare.png is a PNG" is_png ball.compare.png
 rm ball.compare.png
 expect 1 "facets are far off an exact ball" compare ball.scad "${small[@]}" --no-picture \

@@ -14,6 +14,7 @@ echo 'difference() { cube(10); sphere(r = 6); sphere(r = 2); }' >part.csg
 expect 0 "for people" info part.csg
 prints "sphere 2"
 prints "leaves             3"
+prints "sagitta            0.396"
 prints "variants"
 prints "texture bytes"
 expect 0 "without a frame" info part.csg --no-gl

@@ -156,6 +156,8 @@ struct csgcast_scene_info {
     size_t num_exact;       /* leaves whose curved surface is exact */
     size_t num_facetted;    /* leaves drawn with OpenSCAD's facets */
     size_t num_highlighted; /* leaves under # */
+    double sagitta;         /* OpenSCAD's facets are at most this far from the exact surfaces; scene
+                             * units, 0: there are none */
     size_t num_background;  /* leaves under % */
     size_t max_crossings;   /* most boundary crossings that one ray can have */
     size_t num_kinds;       /* entries in kinds */

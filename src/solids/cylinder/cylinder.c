@@ -89,11 +89,14 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
     read_rings(args, rings, &shape->rounding);
     if (is_empty(rings))
         return CSG_READ_EMPTY;
-    const int n = csg_facets_count(&facets, fmax(rings[0].radius, rings[1].radius));
+    const double largest = fmax(rings[0].radius, rings[1].radius);
+    const int n = csg_facets_count(&facets, largest);
     const struct csg_box boxes[2] = {csg_ring_box(rings[0], n), csg_ring_box(rings[1], n)};
     shape->written = csg_box_union(&boxes[0], &boxes[1]);
-    if (!csg_facets_wanted(args, &facets))
+    if (!csg_facets_wanted(args, &facets)) {
+        shape->sagitta = csg_facets_sagitta(n, largest);
         return fill(args, shape, rings);
+    }
     shape->bounds = shape->written;
     return csg_rings_fill(shape, args, ring, rings, 2, n) ? CSG_READ_OK : CSG_READ_ERROR;
 }

@@ -49,6 +49,7 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
     shape->written = globe_box(&globe, n);
     if (!csg_facets_wanted(args, &facets)) {
         fill_quadric(shape, radius);
+        shape->sagitta = 2 * csg_facets_sagitta(n, radius); /* its quads are bent both ways */
         return CSG_READ_OK;
     }
     shape->bounds = shape->written;

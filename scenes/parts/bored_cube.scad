@@ -1,4 +1,4 @@
-// Five solids: a rounded cube with three bores.
+// A rounded cube with three bores: five solids.
 $fn = 64;
 
 difference() {
