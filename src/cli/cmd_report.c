@@ -91,6 +91,18 @@ static void read_openscad(struct csg_report *report)
     csg_process_remove_folder(folder);
 }
 
+/* How many processes want a processor; 0 where the system does not say. */
+static double read_load(void)
+{
+    double load = 0;
+    FILE *file = fopen("/proc/loadavg", "r");
+    if (file && fscanf(file, "%lf", &load) != 1)
+        load = 0;
+    if (file)
+        fclose(file);
+    return load;
+}
+
 static bool describe_machine(struct csg_report *report)
 {
     const time_t now = time(NULL);
@@ -104,6 +116,8 @@ static bool describe_machine(struct csg_report *report)
     read_field("/proc/cpuinfo", "model name", report->processor, sizeof report->processor);
     gmtime_r(&now, &utc);
     strftime(report->date, sizeof report->date, "%Y-%m-%d", &utc);
+    report->load[0] = read_load();
+    report->num_processors = sysconf(_SC_NPROCESSORS_ONLN);
     read_openscad(report);
     report->has_wasm = csg_report_find_wasm(report->options);
     report->has_gnuplot = csg_process_exists("gnuplot");
@@ -222,7 +236,9 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
     report.size[1] = options->view.height ? options->view.height : size;
     if (!make_folder(&report))
         return CSG_EXIT_OUTPUT;
-    if (describe_machine(&report) && measure(&report))
+    const bool measured = describe_machine(&report) && measure(&report);
+    report.load[1] = read_load();
+    if (measured)
         result = write_all(&report) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
     if (result == CSG_EXIT_OK)
         printf("%s/" CSG_REPORT_NAME ".md\n", report.folder);

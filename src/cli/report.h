@@ -51,6 +51,8 @@ struct csg_report {
     const struct csg_cli_options *options;
     const char *folder;
     char renderer[256], processor[128], openscad[64], date[32];
+    double load[2]; /* processes that wanted a processor, at the beginning and at the end */
+    long num_processors;
     bool has_wasm, has_gnuplot;
     int size[2];
     CSG_ARRAY(char *) scenes; /* names, owned */

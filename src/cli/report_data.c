@@ -106,6 +106,8 @@ void csg_report_print_json(const struct csg_report *report, FILE *file)
     csg_json_size(&json, "width", (size_t)report->size[0]);
     csg_json_size(&json, "height", (size_t)report->size[1]);
     csg_json_bool(&json, "quick", report->options->report.quick);
+    csg_json_number(&json, "load_begin", report->load[0]);
+    csg_json_number(&json, "load_end", report->load[1]);
     csg_json_number(&json, "limit_seconds", report->options->report.limit);
     csg_json_list_open(&json, "items");
     for (size_t i = 0; i < report->items.num; i++)

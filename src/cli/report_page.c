@@ -36,6 +36,13 @@ static void print_head(const struct csg_report *report, FILE *file)
             report->options->report.quick ? " --quick" : "", csgcast_version(), report->date,
             report->processor, report->renderer, report->openscad, report->size[0],
             report->size[1]);
+    if (fmax(report->load[0], report->load[1]) > (double)report->num_processors)
+        fprintf(file,
+                "**The machine was busy**: %.0f to %.0f processes wanted its %ld processors "
+                "meanwhile. Times are too long, all of them alike, but for chance:\nread them as "
+                "ratios, and mind the bars.\n\n",
+                fmin(report->load[0], report->load[1]), fmax(report->load[0], report->load[1]),
+                report->num_processors);
 }
 
 static void print_reading(const struct csg_report *report, FILE *file)
@@ -63,7 +70,9 @@ static void print_reading(const struct csg_report *report, FILE *file)
         "Solids with an explicit "
         "`$fn` of at\n  most 12 stay polygons on both sides.\n"
         "* **textbook** is the quadratic formula as textbooks have it, in world space and "
-        "float32, in the same pipeline (`--variant=textbook`).",
+        "float32, in the same pipeline (`--variant=textbook`)\n"
+        "  but for tiles: where csgcast cuts large objects into them, the textbook's time says "
+        "what that gains, not what the arithmetic costs.",
         file);
     fputs(csg_report_variant(2)
               ? " **double** is\n  csgcast's own terms in double precision in the shader "

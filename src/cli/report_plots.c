@@ -22,7 +22,7 @@ static const char head[] =
     "set grid lc rgb '#dddddd'\n"
     "set border lc rgb '#444444'\n"
     "set tics nomirror\n"
-    "set multiplot layout 1,2 title '%s'\n";
+    "set multiplot layout 1,2 title '%s' noenhanced\n";
 
 /* The same colour and mark for the same thing in every picture. */
 static const char *style_of(const char *name)
@@ -156,8 +156,8 @@ static void print_sweep(const struct csg_report *report, FILE *file,
         fprintf(file, "set xlabel '%s'\nset ylabel '%s'\nset yrange [%g:%g]\n", sweep->parameter,
                 panel ? "depth error, 99.9 % of pixels / distance" : "wrong pixels, share",
                 panel ? LEAST_ERROR : LEAST_SHARE, panel ? 1.0 : 1.5);
-        fprintf(file,
-                panel ? "unset key\n" : "set key top left font ',9' box lc rgb '#bbbbbb' opaque\n");
+        fprintf(file, panel ? "set key bottom left font ',9' box lc rgb '#bbbbbb' opaque\n"
+                            : "unset key\n");
         fprintf(file, "plot ");
         for (size_t i = 0; i < num; i++)
             fprintf(file, "%s$%s using 1:%d with linespoints %s title '%s'", i ? ", " : "",
