@@ -62,7 +62,8 @@ static enum csg_process_end run_openscad(struct csg_mesh_source *source, const c
         argv[n++] = source->params->defines[i];
     }
     argv[n++] = input;
-    const enum csg_process_end end = csg_process_run(argv, log, 0, &source->seconds);
+    const enum csg_process_end end =
+        csg_process_run(argv, log, source->options->compare.limit, &source->seconds);
     free(argv);
     return end;
 }
@@ -83,6 +84,12 @@ static bool take_mesh(struct csg_mesh_source *source, const struct csg_compare_m
             "'%s' does not run: install OpenSCAD (Debian: apt-get install openscad), name "
             "it by --openscad=PROGRAM, or give a mesh by --mesh=FILE",
             openscad_program(source));
+        return false;
+    }
+    if (end == CSG_PROCESS_TIMED_OUT) {
+        csg_cli_error("%s has made no mesh of %s after %g s: raise --limit, or give a mesh by "
+                      "--mesh=FILE",
+                      openscad_program(source), input, source->options->compare.limit);
         return false;
     }
     if (log_has(log, "Ignoring unknown module")) {

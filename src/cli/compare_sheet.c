@@ -93,6 +93,8 @@ static void print_label(const struct csg_compared *compared, const struct csg_co
     else
         snprintf(text, 96, "IoU %.6f  99%%: %.2g  max %.2g", csg_comparison_iou(r), r->depth.p99,
                  r->depth.max);
+    const int room = view->mesh.width / CSG_CANVAS_CHARACTER;
+    text[room < 95 ? room : 95] = 0; /* not into the next column */
 }
 
 static int draw_key(struct csg_canvas *canvas, int x, int y, struct csg_color color,
@@ -100,7 +102,7 @@ static int draw_key(struct csg_canvas *canvas, int x, int y, struct csg_color co
 {
     csg_canvas_fill(canvas, x, y, 10, 10, color);
     csg_canvas_text(canvas, x + 14, y + 2, 1, ink, text);
-    return x + 14 + CSG_CANVAS_CHARACTER * ((int)strlen(text) + 2);
+    return x + 14 + CSG_CANVAS_CHARACTER * ((int)strlen(text) + 1);
 }
 
 /* The scale of differences, and what the other colours mean. */
@@ -110,17 +112,17 @@ static void draw_legend(struct csg_canvas *canvas, const struct csg_compared *co
     char text[32];
     for (int u = 0; u < width; u++)
         csg_canvas_fill(canvas, x + u, y, 1, 10, heat((double)u / (width - 1)));
-    for (int i = 0; i <= NUM_DECADES; i++) {
+    for (int i = 0, end = x; i <= NUM_DECADES; i++) {
         snprintf(text, sizeof text, "%.1g", LEAST_DIFFERENCE * pow(10, i) * compared->radius);
         const int length = CSG_CANVAS_CHARACTER * (int)strlen(text);
         const int at = x + i * (width - 1) / NUM_DECADES;
-        csg_canvas_text(canvas,
-                        i == 0             ? at
-                        : i == NUM_DECADES ? at - length
-                                           : at - length / 2,
-                        y + 13, 1, ink, text);
+        const int begin = i == 0 ? at : i == NUM_DECADES ? at - length : at - length / 2;
+        if (begin < end)
+            continue; /* a narrow picture has room for some of them only */
+        csg_canvas_text(canvas, begin, y + 13, 1, ink, text);
+        end = begin + length + CSG_CANVAS_CHARACTER;
     }
-    x = draw_key(canvas, x, y + 26, only_ours, "only csgcast");
+    x = draw_key(canvas, MARGIN, y + 26, only_ours, "only csgcast");
     x = draw_key(canvas, x, y + 26, only_mesh, "only mesh");
     draw_key(canvas, x, y + 26, unexplained, "wrong");
 }

@@ -77,9 +77,10 @@ const char *csg_set_quick(struct csg_cli_options *options, const char *value)
 
 const char *csg_set_limit(struct csg_cli_options *options, const char *value)
 {
-    return csg_value_double(value, &options->report.limit) && options->report.limit > 0
-               ? NULL
-               : "seconds above 0";
+    if (!csg_value_double(value, &options->report.limit) || !(options->report.limit > 0))
+        return "seconds above 0";
+    options->compare.limit = options->report.limit;
+    return NULL;
 }
 
 const char *csg_set_wasm(struct csg_cli_options *options, const char *value)

@@ -21,6 +21,7 @@ const char *csg_set_max_normal_p99(struct csg_cli_options *options, const char *
 
 /* Of `csgcast report`. */
 const char *csg_set_quick(struct csg_cli_options *options, const char *value);
+/* Of both. */
 const char *csg_set_limit(struct csg_cli_options *options, const char *value);
 const char *csg_set_wasm(struct csg_cli_options *options, const char *value);
 

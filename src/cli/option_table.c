@@ -386,6 +386,8 @@ const struct csg_option csg_option_table[] = {
      "threshold: error of the normal in 99 % of the pixels", csg_set_max_normal_p99},
     {"quick", 0, NONE, REPORT, NULL, "fewer meshes, frames and shots: a minute instead of a quarter",
      csg_set_quick},
+    {"limit", 0, REQUIRED, COMPARE, "SECONDS", "for openscad to make the mesh; default: none",
+     csg_set_limit},
     {"limit", 0, REQUIRED, REPORT, "SECONDS",
      "for each mesh; a series ends at the first that is not ready;\n"
      "default 120",

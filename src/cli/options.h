@@ -25,6 +25,7 @@ struct csg_compare_options {
     const char *mesh; /* a file, NULL: openscad makes it */
     const char *side_by_side, *difference;
     bool no_picture;
+    double limit;   /* seconds for openscad; 0: none */
     double sagitta; /* scene units; 0: OpenSCAD's facets are compared instead */
     struct csg_compare_limits limits;
 };

@@ -74,6 +74,8 @@ expect 0 "but not off themselves" compare ball.scad "${small[@]}" --no-picture \
     --facets=as-written --max-depth-p99=0.001 --min-iou=1
 expect 2 "openscad lacks the node" compare ellipsoid.csg "${small[@]}"
 says "--mesh=FILE"
+expect 2 "no time for openscad" compare ball.scad "${small[@]}" --limit=0.001
+says "--limit"
 expect 2 "openscad is missing" compare ball.scad --openscad=/nowhere/openscad
 says "openscad"
 
