@@ -67,7 +67,7 @@ man_page()
         [[ -z $said ]] || return 1
     fi
     # Each option of the help has its place in the page.
-    for command in render info; do
+    for command in render info export compare bench report; do
         "$prefix/bin/csgcast" help "$command"
     done >"$work/help"
     grep -oE '^  (-., )?--[a-z-]+' "$work/help" | grep -oE -- '--[a-z-]+' | sort -u |
