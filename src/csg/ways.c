@@ -20,6 +20,8 @@ static enum csgcast_way way_of(const struct csg_leaf *leaf)
 {
     if (leaf->kind == CSG_KIND_OPENSCAD)
         return CSGCAST_WAY_OPENSCAD;
+    if (leaf->shape.surface)
+        return CSGCAST_WAY_MESH;
     return leaf->shape.facetted ? CSGCAST_WAY_FACETTED : CSGCAST_WAY_EXACT;
 }
 
@@ -57,7 +59,7 @@ static const char *reason_of(enum csgcast_way way, enum csg_kind kind)
         return kind == CSG_KIND_HULL || kind == CSG_KIND_MINKOWSKI
                    ? "made of the facets of what is in it"
                    : "--facets=as-written, a $fn that means a polygon, or a twist";
-    return way == CSGCAST_WAY_MESH ? "it has too many faces for planes" : NULL;
+    return way == CSGCAST_WAY_MESH ? "a surface of triangles" : NULL;
 }
 
 static bool add_groups(struct csgcast_scene *scene, const struct summary *summary)
