@@ -6,40 +6,38 @@ seed = 1;
 fn = 32;
 
 share = pow(n, -1 / depth); // of a node's solids that its larger half takes
+radius = 16 * pow(n, -1 / 3);
 
-function random(key, lo, hi) = rands(lo, hi, 1, key)[0];
-function place(at, size, key) = [for (i = [0 : 2]) at[i] + random(key + 0.1 * i, -size, size)];
-
-module solid(at, key) {
-    r = random(key + 0.3, 2, 5);
-    kind = floor(random(key + 0.4, 0, 3));
-    translate(at) rotate([random(key + 0.5, 0, 180), random(key + 0.6, 0, 180), 0])
-        if (kind == 0) sphere(r, $fn = fn);
-        else if (kind == 1) cube(1.6 * r, center = true);
+module solid(key) {
+    v = rands(0, 1, 7, key);
+    r = radius * (0.7 + 0.8 * v[3]);
+    translate([for (i = [0 : 2]) 20 * v[i] - 10]) rotate([180 * v[4], 180 * v[5], 0])
+        if (v[6] < 0.33) sphere(r, $fn = fn);
+        else if (v[6] < 0.66) cube(1.6 * r, center = true);
         else cylinder(h = 3 * r, r = 0.7 * r, center = true, $fn = fn);
 }
 
-module tree(n, at, size, key) {
+// Of two solids apart there is no intersection: the second one is a large sphere.
+module tree(n, key) {
     half = min(n - 1, max(1, round(share * n)));
-    op = random(key + 0.7, 0, 1);
-    a = place(at, size, key + 1000);
-    b = place(at, size, key + 2000);
-    if (n == 1) solid(at, key);
-    else if (op < 0.6) { tree(half, a, 0.8 * size, 2 * key); tree(n - half, b, 0.8 * size, 2 * key + 1); }
-    else if (op < 0.85) difference() {
-        tree(half, a, 0.8 * size, 2 * key);
-        tree(n - half, b, 0.8 * size, 2 * key + 1);
+    op = rands(0, 1, 8, key)[7];
+    if (n == 1) solid(key);
+    else if (n == 2 && op < 0.3) intersection() {
+        solid(2 * key);
+        sphere(11, $fn = fn);
     }
-    else intersection() {
-        tree(half, at, 0.5 * size, 2 * key);
-        tree(n - half, at, 0.5 * size, 2 * key + 1);
+    else if (op < 0.5) difference() {
+        tree(half, 2 * key);
+        tree(n - half, 2 * key + 1);
+    }
+    else {
+        tree(half, 2 * key);
+        tree(n - half, 2 * key + 1);
     }
 }
 
 difference() { // one object, whatever the random root is
-    intersection() {
-        cube(80, center = true);
-        tree(n - 2, [0, 0, 0], 16, seed);
-    }
-    translate([0, 0, 62]) cube(80, center = true);
+    sphere(11, $fn = fn);
+    tree(n - 2, seed);
+    translate([0, -20, 4]) cube(20);
 }

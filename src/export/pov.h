@@ -44,6 +44,10 @@ bool csg_pov_object(struct csg_pov *pov, const struct csg_object *object);
 /* One leaf, or its complement; tail is put inside its braces, at the end. false: out of memory. */
 bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char *tail);
 
+/* A convex polyhedron, or a surface of triangles, as a mesh. false: out of memory. */
+bool csg_pov_polygons(struct csg_text *text, const struct csg_shape *shape, const char *tail);
+void csg_pov_triangles(struct csg_text *text, const struct csg_surface *surface, const char *tail);
+
 /*
  * Between begin and end, subtracted leaves can be moved: move gives a leaf of its own, its planes
  * to be freed, whose faces do not coincide with the object's other faces. false: out of memory.

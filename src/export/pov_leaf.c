@@ -7,7 +7,6 @@
  */
 
 #include "export/pov.h"
-#include "polyhedra/cell.h"
 
 #define SAME 1e-9 /* relative: directions and lengths that differ by less are meant to be equal */
 
@@ -224,51 +223,6 @@ static bool write_box(struct csg_text *text, const struct csg_shape *shape, cons
     return true;
 }
 
-/* ---- polyhedra of many faces ---------------------------------------------------------------- */
-
-static void write_points(struct csg_text *text, const struct csg_cell *cell)
-{
-    size_t num = 0;
-    for (size_t i = 0; i < cell->faces.num; i++)
-        num += cell->faces.data[i].points.num;
-    csg_text_line(text, "vertex_vectors {");
-    csg_text_line(text, "  %zu", num);
-    for (size_t i = 0; i < cell->faces.num; i++)
-        for (size_t j = 0; j < cell->faces.data[i].points.num; j++)
-            write_vector_line(text, "  , ", cell->faces.data[i].points.data[j], "");
-    csg_text_line(text, "}");
-}
-
-static void write_triangles(struct csg_text *text, const struct csg_cell *cell)
-{
-    size_t num = 0, first = 0;
-    for (size_t i = 0; i < cell->faces.num; i++)
-        num += cell->faces.data[i].points.num - 2;
-    csg_text_line(text, "face_indices {");
-    csg_text_line(text, "  %zu", num);
-    for (size_t i = 0; i < cell->faces.num; i++) {
-        for (size_t j = 2; j < cell->faces.data[i].points.num; j++)
-            csg_text_line(text, "  , <%zu, %zu, %zu>", first, first + j - 1, first + j);
-        first += cell->faces.data[i].points.num;
-    }
-    csg_text_line(text, "}");
-}
-
-static bool write_polygons(struct csg_text *text, const struct csg_shape *shape, const char *tail)
-{
-    struct csg_cell cell = {0};
-    const bool ok = csg_cell_from_shape(&cell, shape);
-    if (ok && cell.faces.num) {
-        csg_text_open(text, "mesh2");
-        write_points(text, &cell);
-        write_triangles(text, &cell);
-        csg_text_line(text, "inside_vector <0.31, 0.23, 0.92>"); /* along no usual face */
-        finish(text, tail);
-    }
-    csg_cell_finish(&cell);
-    return ok;
-}
-
 /* ---- everything else ------------------------------------------------------------------------ */
 
 /* Coefficients of x^2, y^2, z^2, xy, xz, yz, x, y, z, 1 of the quadric in world space. */
@@ -363,6 +317,8 @@ bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char
     const struct csg_shape *shape = &leaf->shape;
     const struct csg_box box = csg_leaf_box(leaf);
     struct csg_map from_canon;
+    if (shape->surface)
+        return csg_pov_triangles(text, shape->surface, tail), true;
     if (shape->has_quadric && csg_map_invert(&shape->quadric.to_canon, &from_canon) &&
         (write_sphere(text, shape, &from_canon, tail) ||
          write_cylinder(text, shape, &from_canon, tail)))
@@ -370,7 +326,7 @@ bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char
     if (write_box(text, shape, tail))
         return true;
     if (!shape->has_quadric && shape->num_planes > MAX_PLANES && csg_box_is_finite(&box))
-        return write_polygons(text, shape, tail);
+        return csg_pov_polygons(text, shape, tail);
     write_surfaces(text, leaf, tail);
     return true;
 }

@@ -444,7 +444,7 @@ CSGCAST_API void csgcast_image_preload(void);
  * Booleans, exact as here, without shadows and reflections. POV-Ray does not know coincident faces:
  * where a subtracted solid's face lies in another's, it is moved by a millionth of the scene; of
  * other coincident faces rounding decides which one shows. Polyhedra of more than 64 faces become
- * meshes, whose points POV-Ray keeps in single precision.
+ * meshes, whose points POV-Ray keeps in single precision, and meshes stay meshes.
  */
 CSGCAST_API bool csgcast_export(const char *path, const struct csgcast_scene *scene,
                                 const struct csgcast_view *view, const char *format);
