@@ -24,6 +24,7 @@
 #define CSG_RECORD_PUSH 32    /* ... and keep the operand before it on the stack */
 #define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
 #define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
+#define CSG_RECORD_BOUND 256  /* no leaf: nothing that follows matters before the key in the header */
 
 /*
  * A surface's record has lists of faces by cell, a square of pixels; all places count from the header.

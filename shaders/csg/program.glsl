@@ -80,6 +80,11 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
         csg_real value;
+        if ((flags & CSG_RECORD_BOUND) != 0) {
+            csg_turns++;
+            p = result < head.w || result >= csg_screen_key.z ? end : p + 1;
+            continue;
+        }
         if ((flags & CSG_RECORD_POP) != 0) {
             value = result;
             result = stack[--top];
@@ -112,6 +117,11 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
         csg_change value;
+        if ((flags & CSG_RECORD_BOUND) != 0) {
+            csg_turns++;
+            p = k < head.w ? end : p + 1;
+            continue;
+        }
         if ((flags & CSG_RECORD_POP) != 0) {
             value = result;
             result = stack[--top];

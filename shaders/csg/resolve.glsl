@@ -7,14 +7,18 @@ bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool
 {
     int begin = object.x, end = object.y;
     k = csg_screen_depth.z;
-    inside = csg_program_next(begin, end, d, k, false) <= k;
+    inside = false;
     for (;;) {
         csg_turns += 2;
         csg_real next = csg_program_next(begin, end, d, k, inside);
         if (csg_turns >= CSG_MAX_TURNS)
             return true;
-        if (!(next > k))
-            break;
+        if (!(next > k)) {
+            if (inside || k > csg_screen_depth.z)
+                break;
+            inside = true; /* already at the start: where does it end? */
+            continue;
+        }
         k = next;
         if (k >= csg_screen_key.z)
             return false;

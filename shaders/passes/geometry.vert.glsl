@@ -9,8 +9,8 @@ flat out ivec2 csg_object;
 void main()
 {
     csg_object = csg_records;
-#ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by csg_source_straight */
-    csg_hand_over(csg_records.x);
+#ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by src/shader */
+    csg_hand_over(csg_records.x, csg_records.y);
 #endif
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     gl_Position = vec4(mix(csg_rect.xy, csg_rect.zw, corner), 0.0, 1.0);

@@ -305,3 +305,13 @@ bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
     frame->texels.num = (size_t)(end - frame->texels.data);
     return true;
 }
+
+bool csg_terms_add_bound(struct csg_terms *terms, double key)
+{
+    float *header = csg_frame_add_texels(terms->frame, 1);
+    if (!header)
+        return false;
+    header[2] = CSG_RECORD_BOUND;
+    header[3] = nextafterf((float)key, -INFINITY);
+    return true;
+}

@@ -80,6 +80,9 @@ bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
  * behind them. */
 float *csg_terms_put(const struct csg_terms *terms, const double *term, float *to);
 
+/* Appends a CSG_RECORD_BOUND: nothing behind it matters before key. */
+bool csg_terms_add_bound(struct csg_terms *terms, double key);
+
 /* Room for num texels at the end of the frame's, zeroed; NULL: out of memory. */
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num);
 

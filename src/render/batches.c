@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/renderer.h"
+#include "crowd/crowd.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,8 @@ struct chooser {
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS]; /* by features */
     GLuint cpu;                 /* for what needs double without having it */
+    GLuint chains[CSG_NUM_CHAINS];
+    bool tiles_prepared;
     size_t max_handed;          /* flat inputs that the driver allows */
 };
 
@@ -38,7 +41,7 @@ bool csg_draws_whole(size_t object, const void *user)
 {
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
-    if (request->scene->objects->data[object].crowded)
+    if (request->scene->objects->data[object].crowded || request->resolver == CSG_RESOLVER_CHAIN)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
@@ -170,13 +173,58 @@ static GLuint choose_surface(struct chooser *chooser, const struct csg_draw *dra
     return program;
 }
 
+/* Tiles hold trees of any kind; most are chains. */
+static int find_chain(const struct chooser *chooser, const struct csg_draw *draw)
+{
+    const struct csg_request *request = chooser->request;
+    const bool wanted = request->resolver < 0 || request->resolver == CSG_RESOLVER_STRAIGHT ||
+                        request->resolver == CSG_RESOLVER_CHAIN;
+    const float *texels = chooser->renderer->frame.texels.data;
+    if (!wanted || !draw->tile || draw->stiff || draw->precise || draw->around_eye ||
+        request->textbook)
+        return -1;
+    const int chain = csg_chain_find(texels + 4 * (size_t)draw->instance.records[0],
+                                     texels + 4 * (size_t)draw->instance.records[1]);
+    const size_t size = chain < 0 ? 0 : csg_chain_size(&csg_chains[chain]);
+    return size <= chooser->max_handed ? chain : -1;
+}
+
+static GLuint choose_chain(struct chooser *chooser, int chain)
+{
+    if (!chooser->chains[chain])
+        chooser->chains[chain] = csg_programs_get(&chooser->renderer->programs,
+                                                  csg_source_geometry_chain(&csg_chains[chain]));
+    return chooser->chains[chain];
+}
+
+/* What tiles need changes with each edit: in scenes that are edited it is all there from the first
+ * frame on. false, with a message, on failure. */
+static bool prepare_tiles(struct chooser *chooser)
+{
+    enum csg_resolver resolver;
+    if (chooser->tiles_prepared || !chooser->request->scene->keeps_structure)
+        return true;
+    chooser->tiles_prepared = true;
+    for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
+        if (!choose_chain(chooser, i))
+            return false;
+    return choose_shared(chooser, CSG_RESOLVER_LOOP,
+                         CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP, &resolver) != 0;
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
+    if (draw->tile && !prepare_tiles(chooser))
+        return 0;
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);
     if (draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP)
         return choose_surface(chooser, draw, resolver);
+    const int chain = find_chain(chooser, draw);
+    *resolver = CSG_RESOLVER_CHAIN;
+    if (chain >= 0)
+        return choose_chain(chooser, chain);
     if (draw->tile)
         return choose_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
                              CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | view_features(draw), resolver);
@@ -272,31 +320,133 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
     return true;
 }
 
+/* A draw with what was chosen for it. */
+struct choice {
+    struct csg_draw draw;
+    GLuint program, rear;
+    enum csg_resolver resolver;
+    bool placed;
+};
+
+static bool choose(struct chooser *chooser, const struct csg_draw *draw, struct choice *choice)
+{
+    choice->draw = *draw;
+    choice->program = choose_program(chooser, draw, &choice->resolver);
+    return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
+}
+
+/* Draws choices [begin, end) that have the program of the first of them, and marks them. */
+static bool add_alike(struct csg_batches *batches, struct choice *choices, size_t begin, size_t end,
+                      struct csg_draw *draws, uint32_t *num_drawn)
+{
+    const GLuint program = choices[begin].program;
+    for (size_t i = begin; i < end; i++) {
+        struct choice *choice = &choices[i];
+        if (choice->placed || choice->program != program)
+            continue;
+        choice->placed = true;
+        draws[*num_drawn] = choice->draw;
+        if (!add_draw(batches, &choice->draw, program, choice->rear, choice->resolver, *num_drawn))
+            return false;
+        ++*num_drawn;
+    }
+    return true;
+}
+
+/* Objects in the order of the file; the tiles of one do not overlap, so those of one program come
+ * together. */
+static bool add_draws(struct csg_batches *batches, struct choice *choices, size_t num,
+                      struct csg_draw *draws)
+{
+    uint32_t num_drawn = 0;
+    for (size_t begin = 0, end; begin < num; begin = end) {
+        end = begin + 1;
+        while (end < num && choices[begin].draw.tile && choices[end].draw.tile &&
+               choices[end].draw.object == choices[begin].draw.object &&
+               choices[end].draw.layer == choices[begin].draw.layer)
+            end++;
+        for (size_t i = begin; i < end; i++)
+            if (!choices[i].placed && !add_alike(batches, choices, i, end, draws, &num_drawn))
+                return false;
+    }
+    return true;
+}
+
+/* What the statistics and the passes need to know of all draws. */
+static void note_choice(struct csg_batches *batches, struct csgcast_renderer *renderer,
+                        const struct csg_request *request, const struct choice *choice,
+                        bool is_first)
+{
+    const bool overflowed = request->resolver == CSG_RESOLVER_ALGORITHM4 &&
+                            choice->resolver == CSG_RESOLVER_LOOP;
+    const bool may_loop =
+        choice->resolver != CSG_RESOLVER_STRAIGHT && choice->resolver != CSG_RESOLVER_CHAIN;
+    renderer->stats.overflowed_objects += overflowed && is_first;
+    batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU ||
+                            (may_loop && may_give_up(&renderer->frame, &choice->draw));
+}
+
+/* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
+static bool prepare_single(struct chooser *chooser, uint32_t object,
+                           bool seen[2][CSG_CROWD_MAX_PLANES + 1])
+{
+    const struct csg_structure structure = structure_of(chooser->request, object);
+    if (structure.num != 1)
+        return true;
+    const struct csg_shape *shape =
+        &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
+    if (shape->num_planes > CSG_CROWD_MAX_PLANES || shape->surface ||
+        seen[shape->has_quadric][shape->num_planes])
+        return true;
+    seen[shape->has_quadric][shape->num_planes] = true;
+    return csg_programs_get(&chooser->renderer->programs,
+                            csg_source_single(shape->has_quadric, (uint32_t)shape->num_planes)) &&
+           (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
+            choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
+}
+
+static bool prepare_singles(struct chooser *chooser)
+{
+    const struct csg_request *request = chooser->request;
+    bool seen[2][CSG_CROWD_MAX_PLANES + 1] = {{false}};
+    bool ok = true;
+    if (!request->scene->keeps_structure || request->textbook || request->resolver >= 0)
+        return true;
+    for (uint32_t i = 0; i < request->scene->objects->num && ok; i++)
+        ok = prepare_single(chooser, i, seen);
+    return ok;
+}
+
+static bool fill(struct csg_batches *batches, struct chooser *chooser, struct choice *choices)
+{
+    if (!prepare_singles(chooser))
+        return false;
+    struct csgcast_renderer *renderer = chooser->renderer;
+    struct csg_draw *draws = renderer->frame.draws.data;
+    const size_t num = renderer->frame.draws.num;
+    for (size_t i = 0; i < num; i++) {
+        if (!choose(chooser, &draws[i], &choices[i]))
+            return false;
+        note_choice(batches, renderer, chooser->request, &choices[i],
+                    i == 0 || draws[i - 1].object != draws[i].object);
+    }
+    return add_draws(batches, choices, num, draws) || csg_log_memory(&renderer->log);
+}
+
 bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
                       const struct csg_request *request)
 {
     struct chooser *chooser = calloc(1, sizeof *chooser);
-    bool ok = chooser != NULL;
-    if (!ok)
+    struct choice *choices = calloc(renderer->frame.draws.num + 1, sizeof *choices);
+    bool ok = chooser && choices;
+    if (!ok) {
         csg_log_memory(&renderer->log);
-    else
+    } else {
         *chooser = (struct chooser){
             .renderer = renderer, .request = request, .max_handed = max_handed(renderer->gl)};
-    for (uint32_t i = 0; i < renderer->frame.draws.num && ok; i++) {
-        const struct csg_draw *draw = &renderer->frame.draws.data[i];
-        enum csg_resolver resolver = CSG_RESOLVER_STRAIGHT;
-        GLuint rear = 0;
-        const GLuint program = choose_program(chooser, draw, &resolver);
-        ok = program != 0 && choose_rear(chooser, draw, &rear);
-        renderer->stats.overflowed_objects +=
-            request->resolver == CSG_RESOLVER_ALGORITHM4 && resolver == CSG_RESOLVER_LOOP &&
-            (i == 0 || draw[-1].object != draw->object);
-        batches->may_give_up |=
-            resolver == CSG_RESOLVER_CPU ||
-            (resolver != CSG_RESOLVER_STRAIGHT && may_give_up(&renderer->frame, draw));
-        if (ok && !add_draw(batches, draw, program, rear, resolver, i))
-            ok = csg_log_memory(&renderer->log);
+        ok = fill(batches, chooser, choices);
     }
+    free(choices);
     free(chooser);
     return ok && add_crowd(batches, renderer);
 }

@@ -61,17 +61,34 @@ static void set_screen(const struct picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
     const struct csg_screen *screen = &picture->renderer->frame.screen;
+    const struct csg_uniforms *at =
+        &csg_programs_find(&picture->renderer->programs, program)->uniforms;
     gl->UseProgram(program);
-    gl->Uniform1i(gl->GetUniformLocation(program, "csg_data"), 0);
-    gl->Uniform2f(gl->GetUniformLocation(program, "csg_window"), 0, (float)picture->first_row);
-    gl->Uniform2f(gl->GetUniformLocation(program, "csg_at"),
-                  (float)picture->renderer->frame.at.x, (float)picture->renderer->frame.at.y);
-    gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_depth"), screen->depth[0],
-                  screen->depth[1], screen->depth[2], screen->depth[3]);
-    gl->Uniform4f(gl->GetUniformLocation(program, "csg_screen_key"), (float)screen->a,
-                  (float)screen->b, (float)screen->k_far, screen->orthographic || screen->textbook);
+    gl->Uniform1i(at->data, 0);
+    gl->Uniform2f(at->window, 0, (float)picture->first_row);
+    gl->Uniform2f(at->at, (float)picture->renderer->frame.at.x,
+                  (float)picture->renderer->frame.at.y);
+    gl->Uniform4f(at->screen_depth, screen->depth[0], screen->depth[1], screen->depth[2],
+                  screen->depth[3]);
+    gl->Uniform4f(at->screen_key, (float)screen->a, (float)screen->b, (float)screen->k_far,
+                  screen->orthographic || screen->textbook);
     if (screen->textbook)
         set_textbook_rays(picture, program);
+}
+
+/* Many batches share a program: its uniforms are set once a round. */
+static void use_program(const struct picture *picture, const struct round *round, GLuint program)
+{
+    struct csg_programs *programs = &picture->renderer->programs;
+    struct csg_compiled *compiled = csg_programs_find(programs, program);
+    if (compiled->round == programs->round) {
+        picture->gl->UseProgram(program);
+        return;
+    }
+    compiled->round = programs->round;
+    set_screen(picture, program);
+    picture->gl->Uniform1f(compiled->uniforms.depth_bias,
+                           round->paint == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
 }
 
 static void point_instances(struct csg_gl *gl, size_t first)
@@ -137,14 +154,13 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
         gl->ClearBufferfv(GL_DEPTH, 0, &far);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_LESS);
+    picture->renderer->programs.round++;
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
         if (!is_in_round(batch, round))
             continue;
         const GLuint program = round->rear ? batch->rear : batch->program;
-        set_screen(picture, program);
-        gl->Uniform1f(gl->GetUniformLocation(program, "csg_depth_bias"),
-                      round->paint == CSG_LAYER_HIGHLIGHT ? OVERLAY_DEPTH_BIAS : 0);
+        use_program(picture, round, program);
         bind_instances(picture, batch);
         gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
     }
@@ -167,8 +183,8 @@ static void set_light(const struct picture *picture)
     for (int i = 0; i < 3; i++)
         light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
                            CSG_LIGHT_Z * frustum->forward[i]);
-    gl->Uniform4f(gl->GetUniformLocation(picture->shade, "csg_light"), light[0], light[1], light[2],
-                  (float)CSG_LIGHT_AMBIENT);
+    gl->Uniform4f(csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms.light,
+                  light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
 }
 
 /* What a pixel without a surface has. */
@@ -201,7 +217,8 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     }
     gl->BindVertexArray(picture->renderer->empty_array);
     set_screen(picture, picture->shade);
-    gl->Uniform1i(gl->GetUniformLocation(picture->shade, "csg_visible"), 1);
+    gl->Uniform1i(csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms.visible,
+                  1);
     set_light(picture);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);

@@ -79,6 +79,28 @@ static GLuint find(const struct csg_programs *programs, const struct csg_stages 
     return 0;
 }
 
+static struct csg_uniforms find_uniforms(const struct csg_gl *gl, GLuint id)
+{
+    return (struct csg_uniforms){
+        .data = gl->GetUniformLocation(id, "csg_data"),
+        .window = gl->GetUniformLocation(id, "csg_window"),
+        .at = gl->GetUniformLocation(id, "csg_at"),
+        .screen_depth = gl->GetUniformLocation(id, "csg_screen_depth"),
+        .screen_key = gl->GetUniformLocation(id, "csg_screen_key"),
+        .depth_bias = gl->GetUniformLocation(id, "csg_depth_bias"),
+        .visible = gl->GetUniformLocation(id, "csg_visible"),
+        .light = gl->GetUniformLocation(id, "csg_light"),
+    };
+}
+
+struct csg_compiled *csg_programs_find(struct csg_programs *programs, GLuint id)
+{
+    size_t i = 0;
+    while (i + 1 < programs->compiled.num && programs->compiled.data[i].id != id)
+        i++;
+    return &programs->compiled.data[i];
+}
+
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
 {
     if (!stages.vertex || !stages.fragment) {
@@ -94,7 +116,10 @@ GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
     const double start = csg_clock_ms();
     GLuint id = link_program(programs->gl, stages.vertex, stages.fragment);
     programs->compile_ms += csg_clock_ms() - start;
-    if (id && csg_array_push(&programs->compiled, ((struct csg_compiled){id, stages})))
+    const struct csg_compiled compiled = {
+        .id = id, .uniforms = id ? find_uniforms(programs->gl, id) : (struct csg_uniforms){0},
+        .stages = stages};
+    if (id && csg_array_push(&programs->compiled, compiled))
         return id;
     if (id)
         csg_log_memory(&programs->gl->log);

@@ -7,8 +7,15 @@
 #include "gl/context.h"
 #include "shader/source.h"
 
+/* Where a program's uniforms are; -1: it has no such. */
+struct csg_uniforms {
+    GLint data, window, at, screen_depth, screen_key, depth_bias, visible, light;
+};
+
 struct csg_compiled {
     GLuint id;
+    struct csg_uniforms uniforms;
+    uint64_t round; /* in which its uniforms were set */
     struct csg_stages stages; /* the key */
 };
 
@@ -16,10 +23,14 @@ struct csg_programs {
     struct csg_gl *gl;
     CSG_ARRAY(struct csg_compiled) compiled;
     double compile_ms; /* in total */
+    uint64_t round;    /* counts the rounds that set uniforms anew */
 };
 
 /* The program of these stages, which it takes ownership of. 0, with a message, on failure. */
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages);
+
+/* The record of one of its programs, until the next one is compiled. */
+struct csg_compiled *csg_programs_find(struct csg_programs *programs, GLuint id);
 
 /* The context must be current. */
 void csg_programs_finish(struct csg_programs *programs);

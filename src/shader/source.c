@@ -8,7 +8,7 @@
 
 #include "shader/files.h"
 
-const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "loop", "algorithm4",
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop", "algorithm4",
                                                                "double"};
 
 const char *csgcast_variant_name(size_t index)
@@ -124,50 +124,72 @@ static struct csg_stages finish_stages(struct csg_text *vertex, struct csg_text 
     return stages;
 }
 
+/* What all geometry programs begin with. */
+static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
+                           enum csg_resolver resolver, int features)
+{
+    const bool textbook = features & CSG_FEATURE_TEXTBOOK;
+    add_preamble(vertex, 0);
+    add_preamble(fragment, features);
+    if (textbook) {
+        csg_text_add(vertex, "#define CSG_TEXTBOOK\n");
+        csg_text_add(fragment, "#define CSG_TEXTBOOK\n");
+    }
+    add_file(vertex, "common/data.glsl");
+    add_file(vertex, "solids/sense.glsl");
+    if (features & CSG_FEATURE_QUADRIC)
+        csg_text_add(fragment, "#define CSG_HAS_QUADRIC\n");
+    if (features & CSG_FEATURE_GAP)
+        csg_text_add(fragment, "#define CSG_HAS_GAP\n");
+    if (features & CSG_FEATURE_SURFACE)
+        csg_text_add(fragment, "#define CSG_HAS_SURFACE\n");
+    if (features & CSG_FEATURE_STIFF)
+        csg_text_add(fragment, "#define CSG_HAS_STIFF\n");
+    add_file(fragment, "common/data.glsl");
+    add_file(fragment, "common/real.glsl");
+    add_file(fragment, "common/screen.glsl");
+    add_file(fragment, "solids/span.glsl");
+    add_file(fragment, "solids/sense.glsl");
+    if (textbook)
+        add_file(fragment, "solids/textbook.glsl");
+    else
+        add_file(fragment, "solids/planes.glsl");
+    if (features & CSG_FEATURE_QUADRIC && !textbook)
+        add_file(fragment, "solids/quadric.glsl");
+    add_file(fragment, "csg/spans.glsl");
+    if (resolver != CSG_RESOLVER_STRAIGHT && resolver != CSG_RESOLVER_CHAIN)
+        add_file(fragment, "csg/turns.glsl");
+    if (features & CSG_FEATURE_SURFACE)
+        add_file(fragment, "solids/surface.glsl");
+    add_file(fragment, "csg/change.glsl");
+}
+
+static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment)
+{
+    add_file(vertex, "passes/geometry.vert.glsl");
+    add_file(fragment, "passes/geometry.frag.glsl");
+    return finish_stages(vertex, fragment);
+}
+
 struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed)
 {
     struct csg_text vertex = {0}, fragment = {0};
-    const bool textbook = features & CSG_FEATURE_TEXTBOOK;
-    add_preamble(&vertex, 0);
-    add_preamble(&fragment, features);
-    if (textbook) {
-        csg_text_add(&vertex, "#define CSG_TEXTBOOK\n");
-        csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
-    }
-    add_file(&vertex, "common/data.glsl");
-    add_file(&vertex, "solids/sense.glsl");
-    if (features & CSG_FEATURE_QUADRIC)
-        csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
-    if (features & CSG_FEATURE_GAP)
-        csg_text_add(&fragment, "#define CSG_HAS_GAP\n");
-    if (features & CSG_FEATURE_SURFACE)
-        csg_text_add(&fragment, "#define CSG_HAS_SURFACE\n");
-    if (features & CSG_FEATURE_STIFF)
-        csg_text_add(&fragment, "#define CSG_HAS_STIFF\n");
-    add_file(&fragment, "common/data.glsl");
-    add_file(&fragment, "common/real.glsl");
-    add_file(&fragment, "common/screen.glsl");
-    add_file(&fragment, "solids/span.glsl");
-    add_file(&fragment, "solids/sense.glsl");
-    if (textbook)
-        add_file(&fragment, "solids/textbook.glsl");
-    else
-        add_file(&fragment, "solids/planes.glsl");
-    if (features & CSG_FEATURE_QUADRIC && !textbook)
-        add_file(&fragment, "solids/quadric.glsl");
-    add_file(&fragment, "csg/spans.glsl");
-    if (resolver != CSG_RESOLVER_STRAIGHT)
-        add_file(&fragment, "csg/turns.glsl");
-    if (features & CSG_FEATURE_SURFACE)
-        add_file(&fragment, "solids/surface.glsl");
-    add_file(&fragment, "csg/change.glsl");
+    start_geometry(&vertex, &fragment, resolver, features);
     add_resolver(&fragment, resolver);
     if (resolver == CSG_RESOLVER_STRAIGHT)
         csg_source_straight(&vertex, &fragment, structure, max_handed);
-    add_file(&vertex, "passes/geometry.vert.glsl");
-    add_file(&fragment, "passes/geometry.frag.glsl");
-    return finish_stages(&vertex, &fragment);
+    return finish_geometry(&vertex, &fragment);
+}
+
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain)
+{
+    struct csg_text vertex = {0}, fragment = {0};
+    start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, chain->quadrics ? CSG_FEATURE_QUADRIC : 0);
+    add_file(&vertex, "csg/chain.vert.glsl");
+    add_file(&fragment, "csg/chain.glsl");
+    csg_source_chain(&vertex, &fragment, chain);
+    return finish_geometry(&vertex, &fragment);
 }
 
 struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes)

@@ -9,6 +9,7 @@
 /* How an object's first visible point is found; docs/pipeline.md compares them. */
 enum csg_resolver {
     CSG_RESOLVER_STRAIGHT,   /* structure compiled in: straight-line code for one small tree */
+    CSG_RESOLVER_CHAIN,      /* a few solids in a row, from flat inputs: what most tiles are */
     CSG_RESOLVER_LOOP,       /* any tree, read from the data texture, no array of crossings */
     CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
     CSG_RESOLVER_DOUBLE,     /* the loop in double precision, for what float does not hold */
@@ -40,6 +41,21 @@ enum csg_feature {
 
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
 #define CSG_ALGORITHM4_MAX_CROSSINGS 192
+
+/* A program for chains, see shaders/csg/chain.glsl. */
+struct csg_chain {
+    int slots;     /* solids at most */
+    bool quadrics; /* whether they may have one */
+};
+
+#define CSG_NUM_CHAINS 4
+extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
+
+/* Flat inputs that its programs take. */
+size_t csg_chain_size(const struct csg_chain *chain);
+
+/* The smallest chain that these records, texels of a draw, fit; -1: none. */
+int csg_chain_find(const float *records, const float *end);
 
 struct csg_text {
     char *data; /* zero-terminated; NULL when memory ran out */
@@ -76,11 +92,18 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 /* One-solid programs for crowds, see crowd/run.h. */
 struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes);
 
+/* The same for a chain. */
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain);
+
 /* The shading pass. */
 struct csg_stages csg_source_shade(bool want_leaf, bool textbook);
 
 /* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
 void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
                          const struct csg_structure *structure, size_t max_handed);
+
+/* A chain's csg_hand_over, and csg_resolve. */
+void csg_source_chain(struct csg_text *vertex, struct csg_text *fragment,
+                      const struct csg_chain *chain);
 
 #endif

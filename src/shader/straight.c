@@ -225,7 +225,7 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
                                "    inside = false;\n%s",
                      parameters.num_handed, code.data ? code.data : "");
         csg_text_add(vertex, "flat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
-                             "void csg_hand_over(int begin)\n{\n%s}\n",
+                             "void csg_hand_over(int begin, int end)\n{\n%s}\n",
                      handing.data ? handing.data : "");
     }
     vertex->failed |= !leaves || handing.failed || code.failed;

@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "pack/surface_record.h"
-#include "tile/range.h"
+#include "tile/dominate.h"
+#include "tile/scan.h"
 
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
@@ -21,7 +22,16 @@
 struct task {
     int lo[2], hi[2]; /* pixels [lo, hi) */
     struct csg_tree tree;
+    size_t before[2]; /* leaves that mattered one and two cuts ago */
 };
+
+/* Where so many leaves are left and two cuts, to a quarter, spare less than this share of them, the
+ * tile is drawn as it is. */
+#define STUBBORN_LEAVES 256
+#define STUBBORN_SHARE 0.9
+
+/* Texels in a frame beyond which tiles are not cut further: 128 MB. */
+#define MAX_CUT_TEXELS ((size_t)8 << 20)
 
 struct tiler {
     struct csg_terms *terms;
@@ -33,7 +43,7 @@ struct tiler {
     CSG_ARRAY(bool) planes;
     CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
     CSG_ARRAY(double) candidates;
-    struct csg_program program;
+    struct csg_scan scan;
     bool opaque; /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
@@ -227,9 +237,12 @@ static bool cut(struct tiler *tiler, struct task *task)
     return ok;
 }
 
-static bool add_record(struct tiler *tiler, const struct csg_step *step, const struct task *task,
+static bool add_record(struct tiler *tiler, size_t i, const struct task *task,
                        const struct csg_tile_box *box)
 {
+    const struct csg_step *step = &tiler->scan.program.data[i];
+    if (step->flags & CSG_RECORD_BOUND)
+        return csg_terms_add_bound(tiler->terms, tiler->scan.bounds.data[i]);
     if (step->flags & CSG_RECORD_POP)
         return csg_terms_add_record(tiler->terms, step, NULL);
     if (step->flags & CSG_RECORD_SURFACE)
@@ -246,8 +259,8 @@ static bool add_record(struct tiler *tiler, const struct csg_step *step, const s
 
 static bool is_surface_alone(const struct tiler *tiler)
 {
-    const struct csg_step *step = tiler->program.data;
-    return tiler->program.num == 1 && step->flags & CSG_RECORD_SURFACE &&
+    const struct csg_step *step = tiler->scan.program.data;
+    return tiler->scan.program.num == 1 && step->flags & CSG_RECORD_SURFACE &&
            !(step->flags & CSG_RECORD_NEGATED) && csg_terms_view(tiler->terms, step->leaf)->turns == 0;
 }
 
@@ -256,13 +269,14 @@ static bool emit(struct tiler *tiler, const struct task *task)
     struct csg_frame *frame = tiler->terms->frame;
     const struct csg_tile_box box = tile_box(tiler, task);
     struct csg_draw draw = *tiler->draw;
-    tiler->program.num = 0;
-    if (!csg_program_append(&tiler->program, tiler->terms->scene, &task->tree, 0))
+    fill_ranges(tiler, task); /* of what is left */
+    if (!csg_scan_fill(&tiler->scan, tiler->terms->scene, &task->tree, tiler->leaves.data,
+                       !draw.around_eye))
         return false;
     draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
-    for (size_t i = 0; i < tiler->program.num; i++) {
-        draw.surface |= (tiler->program.data[i].flags & CSG_RECORD_SURFACE) != 0;
-        if (!add_record(tiler, &tiler->program.data[i], task, &box))
+    for (size_t i = 0; i < tiler->scan.program.num; i++) {
+        draw.surface |= (tiler->scan.program.data[i].flags & CSG_RECORD_SURFACE) != 0;
+        if (!add_record(tiler, i, task, &box))
             return false;
     }
     draw.surface_alone = is_surface_alone(tiler);
@@ -275,25 +289,40 @@ static bool emit(struct tiler *tiler, const struct task *task)
            csg_array_push(&frame->draws, draw);
 }
 
+static bool is_worth_cutting(const struct tiler *tiler, const struct task *task, size_t num_leaves)
+{
+    const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
+                          task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
+    const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
+                          (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
+    const bool small_enough = tiler->terms->views.num == 0 ||
+                              (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
+                               task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
+    if (!small_enough)
+        return true;
+    return !smallest && !stubborn && num_leaves > SMALL_LEAVES &&
+           tiler->terms->frame->texels.num / 4 < MAX_CUT_TEXELS;
+}
+
 static bool run(struct tiler *tiler, struct task *task)
 {
     if (!reserve(tiler, task->tree.num))
         return false;
     fill_ranges(tiler, task);
     judge_leaves(tiler, &task->tree);
+    const struct csg_tile_box box = tile_box(tiler, task);
+    csg_dominate(tiler->terms, &task->tree, tiler->leaves.data, &box);
     if (!csg_tree_simplify(&task->tree, tiler->terms->known))
         return false;
     if (task->tree.num == 0) {
         tiler->terms->frame->tiles_empty++;
         return true;
     }
-    const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
-                          task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
-    const bool small_enough = tiler->terms->views.num == 0 ||
-                              (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
-                               task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
-    if (smallest || (small_enough && count_leaves(&task->tree) <= SMALL_LEAVES))
+    const size_t num_leaves = count_leaves(&task->tree);
+    if (!is_worth_cutting(tiler, task, num_leaves))
         return emit(tiler, task);
+    task->before[1] = task->before[0];
+    task->before[0] = num_leaves;
     return cut(tiler, task);
 }
 
@@ -325,7 +354,7 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw)
 {
     struct tiler tiler = {.terms = terms, .draw = draw};
-    struct task whole;
+    struct task whole = {.before = {0}};
     for (int i = 0; i < 2; i++) {
         whole.lo[i] = (int)floor(rect->lo[i]);
         whole.hi[i] = (int)ceil(rect->hi[i]);
@@ -343,6 +372,6 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.planes.data);
     free(tiler.values.data);
     free(tiler.candidates.data);
-    free(tiler.program.data);
+    csg_scan_finish(&tiler.scan);
     return ok;
 }

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/dominate.h"
+
+#include <string.h>
+
+/* Operands of a node from which on it is worth looking, and solids that others are compared with. */
+#define MIN_OPERANDS 12
+#define MAX_DOMINATORS 4
+
+/* How one face lies to another over the tile. */
+enum { CROSSES, EQUAL_SOMEWHERE, BEHIND };
+
+/* Of b against a: the difference of two affine terms is one. */
+static int compare_planes(const double *a, const double *b, const struct csg_tile_box *tile)
+{
+    const double dx = b[1] - a[1], dy = b[2] - a[2];
+    const double mid = b[0] - a[0] + dx * tile->center[0] + dy * tile->center[1];
+    const double least = mid - fabs(dx) * tile->half[0] - fabs(dy) * tile->half[1];
+    return least > 0 ? BEHIND : least == 0 ? EQUAL_SOMEWHERE : CROSSES;
+}
+
+struct pair {
+    const struct csg_terms *terms;
+    const struct csg_tile_box *tile;
+    const struct csg_leaf_terms *outer, *inner;
+    bool touches;
+};
+
+/* Whether some plane of inner, of places [begin, end), lies behind the outer one; sign -1: before. */
+static bool has_plane(struct pair *pair, size_t outer, size_t begin, size_t end, bool before)
+{
+    const double *a = csg_terms_texel(pair->terms, pair->outer, outer);
+    int best = CROSSES;
+    for (size_t i = begin; i < end && best != BEHIND; i++) {
+        const double *b = csg_terms_texel(pair->terms, pair->inner, i);
+        const int order = before ? compare_planes(b, a, pair->tile) : compare_planes(a, b, pair->tile);
+        best = order > best ? order : best;
+    }
+    pair->touches |= best == EQUAL_SOMEWHERE;
+    return best != CROSSES;
+}
+
+/* The quadric of both, if the outer one has any, must be the same: equal carriers have equal terms. */
+static bool same_quadric(const struct pair *pair)
+{
+    const struct csg_leaf_terms *outer = pair->outer, *inner = pair->inner;
+    if (!(outer->flags & CSG_RECORD_QUADRIC))
+        return true;
+    return inner->flags & CSG_RECORD_QUADRIC &&
+           memcmp(csg_terms_texel(pair->terms, outer, outer->num_entries + outer->num_exits),
+                  csg_terms_texel(pair->terms, inner, inner->num_entries + inner->num_exits),
+                  4 * CSG_QUADRIC_TEXELS * sizeof(double)) == 0;
+}
+
+/* Whether inner is part of outer everywhere in the tile. Where faces coincide, touches is set. */
+static bool is_inside(struct pair *pair)
+{
+    const struct csg_leaf_terms *outer = pair->outer, *inner = pair->inner;
+    const size_t outer_end = outer->num_entries + outer->num_exits;
+    const size_t inner_end = inner->num_entries + inner->num_exits;
+    pair->touches = outer->flags & CSG_RECORD_QUADRIC;
+    if ((outer->flags | inner->flags) & CSG_RECORD_SURFACE || outer->flags & CSG_RECORD_GAP ||
+        !same_quadric(pair))
+        return false;
+    for (size_t i = 0; i < outer->num_entries; i++)
+        if (!has_plane(pair, i, 0, inner->num_entries, false))
+            return false;
+    for (size_t i = outer->num_entries; i < outer_end; i++)
+        if (!has_plane(pair, i, inner->num_entries, inner_end, true))
+            return false;
+    return true;
+}
+
+/* Operands of one node that have the same effect: those of a union, or subtracted ones, of which
+ * the largest matters, or the others, of which the smallest does. */
+struct group {
+    uint32_t node;
+    bool negated;
+    bool largest;
+};
+
+static bool is_member(const struct csg_terms *terms, const struct csg_tree *tree, uint32_t i,
+                      const struct group *group)
+{
+    const struct csg_node *node = &tree->data[i];
+    return node->op == CSG_LEAF && node->negated == group->negated &&
+           terms->known[node->leaf] == CSG_VARIES;
+}
+
+/* The member that begins first, or last, of those that are behind `than` in that order. */
+static uint32_t next_dominator(const struct csg_terms *terms, const struct csg_tree *tree,
+                               const struct csg_leaf_range *leaves, const struct group *group,
+                               uint32_t than)
+{
+    const uint32_t end = tree->data[group->node].end;
+    const double sign = group->largest ? 1 : -1;
+    uint32_t best = end;
+    for (uint32_t i = group->node + 1; i < end; i = tree->data[i].end) {
+        if (!is_member(terms, tree, i, group))
+            continue;
+        const double key = sign * leaves[i].entry.lo;
+        const double last = than < end ? sign * leaves[than].entry.lo : -INFINITY;
+        const bool is_next = than == end || key > last || (key == last && i > than);
+        if (is_next && (best == end || key < sign * leaves[best].entry.lo))
+            best = i;
+    }
+    return best;
+}
+
+static void dominate_by(const struct csg_terms *terms, const struct csg_tree *tree,
+                        const struct csg_tile_box *tile, const struct group *group,
+                        uint32_t dominator)
+{
+    const uint32_t own = tree->data[dominator].leaf;
+    struct pair pair = {.terms = terms, .tile = tile};
+    for (uint32_t i = group->node + 1; i < tree->data[group->node].end; i = tree->data[i].end) {
+        if (i == dominator || !is_member(terms, tree, i, group))
+            continue;
+        const uint32_t leaf = tree->data[i].leaf;
+        pair.outer = csg_terms_of(terms, group->largest ? own : leaf);
+        pair.inner = csg_terms_of(terms, group->largest ? leaf : own);
+        /* Of faces that coincide the first in the file shows. */
+        if (is_inside(&pair) && (!pair.touches || own < leaf))
+            terms->known[leaf] = group->largest ? CSG_NOTHING : CSG_EVERYTHING;
+    }
+}
+
+static void dominate_group(const struct csg_terms *terms, const struct csg_tree *tree,
+                           const struct csg_leaf_range *leaves, const struct csg_tile_box *tile,
+                           const struct group *group)
+{
+    const uint32_t end = tree->data[group->node].end;
+    uint32_t dominator = end;
+    for (int i = 0; i < MAX_DOMINATORS; i++) {
+        dominator = next_dominator(terms, tree, leaves, group, dominator);
+        if (dominator == end)
+            return;
+        dominate_by(terms, tree, tile, group, dominator);
+    }
+}
+
+void csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
+                  const struct csg_leaf_range *leaves, const struct csg_tile_box *tile)
+{
+    for (uint32_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF || node->end - i <= MIN_OPERANDS)
+            continue;
+        const bool all = node->op == CSG_AND;
+        const struct group plain = {i, false, !all}, negated = {i, true, all};
+        dominate_group(terms, tree, leaves, tile, &plain);
+        dominate_group(terms, tree, leaves, tile, &negated);
+    }
+}

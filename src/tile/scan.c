@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/scan.h"
+
+#include <stdlib.h>
+
+/* A bound costs a record: one for so many operands, and none for a few. */
+#define OPERANDS_PER_BOUND 3
+#define MIN_OPERANDS 6
+
+void csg_scan_finish(struct csg_scan *scan)
+{
+    free(scan->program.data);
+    free(scan->bounds.data);
+    free(scan->starts.data);
+    free(scan->operands.data);
+}
+
+/* Before its start a node's set holds everything: a complement until its solid begins. */
+static double start_of(const struct csg_scan *scan, const struct csg_tree *tree,
+                       const struct csg_leaf_range *leaves, uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    if (node->op == CSG_LEAF)
+        return node->negated ? leaves[i].entry.lo : -INFINITY;
+    const bool all = node->op == CSG_AND;
+    double start = all ? INFINITY : -INFINITY;
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
+        const double own = scan->starts.data[child];
+        start = all ? fmin(start, own) : fmax(start, own);
+    }
+    return start;
+}
+
+/* The start, then the place in the tree: the same order everywhere. */
+static int compare_operands(const void *a, const void *b)
+{
+    const struct csg_scan_operand *x = a, *y = b;
+    if (x->start != y->start)
+        return x->start < y->start ? -1 : 1;
+    return x->node < y->node ? -1 : x->node > y->node;
+}
+
+static bool sort_operands(struct csg_scan *scan, const struct csg_tree *tree,
+                          const struct csg_leaf_range *leaves)
+{
+    scan->starts.num = scan->operands.num = 0;
+    if (!csg_array_reserve(&scan->starts, tree->num))
+        return false;
+    for (size_t i = tree->num; i-- > 0;)
+        scan->starts.data[i] = start_of(scan, tree, leaves, (uint32_t)i);
+    for (uint32_t child = 1; child < tree->num; child = tree->data[child].end)
+        if (!csg_array_push(&scan->operands,
+                            ((struct csg_scan_operand){scan->starts.data[child], child})))
+            return false;
+    qsort(scan->operands.data, scan->operands.num, sizeof *scan->operands.data, compare_operands);
+    return true;
+}
+
+static bool add_step(struct csg_scan *scan, uint32_t flags, double bound)
+{
+    const size_t at = scan->program.num;
+    if (!csg_array_push(&scan->program, ((struct csg_step){0, flags})) ||
+        !csg_array_reserve(&scan->bounds, at + 1 - scan->bounds.num))
+        return false;
+    scan->bounds.data[at] = bound;
+    scan->bounds.num = at + 1;
+    return true;
+}
+
+/* One operand of the outermost intersection, behind what is there. */
+static bool add_operand(struct csg_scan *scan, const struct csgcast_scene *scene,
+                        const struct csg_tree *tree, uint32_t node)
+{
+    const size_t first = scan->program.num;
+    if (!csg_program_append(&scan->program, scene, tree, node))
+        return false;
+    if (first == 0)
+        return true;
+    struct csg_step *step = &scan->program.data[first];
+    if (tree->data[node].op == CSG_LEAF) {
+        step->flags = (step->flags & ~(uint32_t)CSG_RECORD_START) | CSG_RECORD_AND;
+        return true;
+    }
+    step->flags |= CSG_RECORD_PUSH;
+    return add_step(scan, CSG_RECORD_POP | CSG_RECORD_AND, 0);
+}
+
+static bool add_operands(struct csg_scan *scan, const struct csgcast_scene *scene,
+                         const struct csg_tree *tree)
+{
+    double bound = -INFINITY;
+    size_t last = 1;
+    for (size_t i = 0; i < scan->operands.num; i++) {
+        const struct csg_scan_operand *operand = &scan->operands.data[i];
+        if (i >= last + OPERANDS_PER_BOUND - 1 && operand->start > bound) {
+            bound = operand->start;
+            last = i;
+            if (!add_step(scan, CSG_RECORD_BOUND, bound))
+                return false;
+        }
+        if (!add_operand(scan, scene, tree, operand->node))
+            return false;
+    }
+    return true;
+}
+
+bool csg_scan_fill(struct csg_scan *scan, const struct csgcast_scene *scene,
+                   const struct csg_tree *tree, const struct csg_leaf_range *leaves, bool bounded)
+{
+    scan->program.num = scan->bounds.num = 0;
+    if (!bounded || tree->data[0].op != CSG_AND)
+        return csg_program_append(&scan->program, scene, tree, 0);
+    if (!sort_operands(scan, tree, leaves))
+        return false;
+    if (scan->operands.num < MIN_OPERANDS)
+        return csg_program_append(&scan->program, scene, tree, 0);
+    return add_operands(scan, scene, tree);
+}
