@@ -20,6 +20,11 @@
 /* What Clipper allows a mitered corner, in units of the distance. */
 #define MITER_LIMIT 1e6
 
+/* OpenSCAD 2021.01 hands Clipper its lengths times this; Clipper takes arcs at least as fine as that
+ * part of the distance. */
+#define CLIPPER_SCALE 65536.0
+#define CLIPPER_MAX_TOLERANCE 0.25
+
 #define PI 3.14159265358979323846264338327950288
 
 struct corner {
@@ -85,11 +90,21 @@ static bool add_edge(struct mover *mover, const struct corner *corner, double ro
     return add_polygon(mover->drawing, quad, 4, rounding);
 }
 
-/* Clipper's arc: equal steps from the first normal on, and the rest. */
+/* Steps of a full turn as Clipper 6 finds them for OpenSCAD 2021.01 (ClipperOffset::DoOffset): num
+ * but for rounding, which decides where an arc has a half of a step. */
+static double clipper_steps(int num, double size)
+{
+    const double delta = size * CLIPPER_SCALE;
+    const double tolerance = size * (1 - csg_cos_degrees(180.0 / num)) * CLIPPER_SCALE;
+    const double steps = PI / acos(1 - fmin(tolerance, CLIPPER_MAX_TOLERANCE * delta) / delta);
+    return fmin(steps, delta * PI);
+}
+
+/* Clipper's arc (DoRound): equal steps from the first normal on; the last one is longer or shorter. */
 static bool add_arc(struct mover *mover, const struct corner *corner, double rounding)
 {
-    const double step = 2 * PI / mover->offset->num;
-    const int num = (int)ceil(corner->angle / step - 1e-9);
+    const double steps = clipper_steps(mover->offset->num, mover->size), step = 2 * PI / steps;
+    const int num = (int)fmax(floor(steps / (2 * PI) * fabs(corner->angle) + 0.5), 1);
     struct csg_drawing *drawing = mover->drawing;
     bool ok = csg_drawing_add_figure(drawing, rounding) && csg_drawing_add_contour(drawing) &&
               csg_drawing_add_point(drawing, corner->at.x, corner->at.y);
