@@ -38,7 +38,7 @@ struct csg_cull {
     struct csg_candidate *candidates; /* one a member */
     uint8_t *demoted;                 /* per member: drawn as other objects are */
     float *keys;                      /* per pixel: what is farther is hidden */
-    struct csg_occluder *occluders;
+    struct csg_candidate *occluders;  /* those that hide others, roughly the nearest first */
     size_t num_occluders;
 };
 

@@ -15,13 +15,7 @@
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
 
-enum { NUM_BINS = 256, NUM_BANDS = 16, TERMS_BLOCK = 512 };
-
-struct csg_occluder {
-    const struct csg_candidate *candidate;
-    float texels[CSG_BALL_TEXELS][4];
-    float noise;
-};
+enum { NUM_BINS = 256, NUM_BANDS = 16 };
 
 /* How far apart two keys of this size must be for the nearer one to win in the depth buffer. */
 static double key_noise(const struct csg_screen *screen, double key)
@@ -85,7 +79,7 @@ static void count(struct csg_cull *cull, struct bins *bins, const struct csg_can
 
 static void place(struct csg_cull *cull, struct bins *bins, const struct csg_candidate *candidate)
 {
-    cull->occluders[bins->next[bin_of(bins, candidate->key)]++].candidate = candidate;
+    cull->occluders[bins->next[bin_of(bins, candidate->key)]++] = *candidate;
 }
 
 /* false: out of memory. */
@@ -105,23 +99,6 @@ static bool list_occluders(struct csg_cull *cull)
     }
     visit_occluders(cull, &bins, place);
     return true;
-}
-
-static void find_terms(void *user, size_t task)
-{
-    struct csg_cull *cull = user;
-    const struct csg_crowd *crowd = cull->crowd;
-    const size_t begin = task * TERMS_BLOCK, end = begin + TERMS_BLOCK;
-    for (size_t i = begin; i < end && i < cull->num_occluders; i++) {
-        struct csg_occluder *occluder = &cull->occluders[i];
-        const uint32_t member = occluder->candidate->member;
-        const struct csg_vec3 center = {crowd->x[member], crowd->y[member], crowd->z[member]};
-        double texels[CSG_BALL_TEXELS][4];
-        csg_screen_ball(cull->screen, cull->at, center, crowd->radius[member], texels);
-        for (int j = 0; j < 4 * CSG_BALL_TEXELS; j++)
-            occluder->texels[j / 4][j % 4] = (float)texels[j / 4][j % 4];
-        occluder->noise = (float)key_noise(cull->screen, occluder->candidate->key);
-    }
 }
 
 /* ---- the picture ---- */
@@ -155,6 +132,27 @@ static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *ca
     return false;
 }
 
+/* Rows first to last of an occluder. */
+static void draw(const struct csg_cull *cull, const struct csg_candidate *occluder, int first,
+                 int last)
+{
+    const struct csg_crowd *crowd = cull->crowd;
+    const uint32_t member = occluder->member;
+    const struct csg_vec3 center = {crowd->x[member], crowd->y[member], crowd->z[member]};
+    const float noise = (float)key_noise(cull->screen, (double)occluder->key);
+    const int x = occluder->lo[0];
+    double terms[CSG_BALL_TEXELS][4];
+    float texels[CSG_BALL_TEXELS][4];
+    csg_screen_ball(cull->screen, cull->at, center, crowd->radius[member], terms);
+    for (int i = 0; i < 4 * CSG_BALL_TEXELS; i++)
+        texels[i / 4][i % 4] = (float)terms[i / 4][i % 4];
+    for (int y = first; y <= last; y++)
+        draw_row((const float(*)[4])texels, noise, (float)(x + 0.5 - cull->at.x),
+                 (float)(y + 0.5 - cull->at.y), occluder->hi[0] - x + 1,
+                 cull->keys + (size_t)y * (size_t)cull->screen->width + x);
+}
+
+/* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
 {
     struct csg_cull *cull = user;
@@ -164,22 +162,18 @@ static void draw_band(void *user, size_t task)
     for (size_t i = (size_t)begin * (size_t)width; i < (size_t)(end + 1) * (size_t)width; i++)
         cull->keys[i] = CSG_KEY_MAX;
     for (size_t i = 0; i < cull->num_occluders; i++) {
-        const struct csg_occluder *occluder = &cull->occluders[i];
-        const struct csg_candidate *candidate = occluder->candidate;
-        const int first = candidate->lo[1] > begin ? candidate->lo[1] : begin;
-        const int last = candidate->hi[1] < end ? candidate->hi[1] : end;
-        const int x = candidate->lo[0];
-        if (first > last || !shows_in(cull, candidate, first, last))
-            continue;
-        for (int y = first; y <= last; y++)
-            draw_row(occluder->texels, occluder->noise, (float)(x + 0.5 - cull->at.x),
-                     (float)(y + 0.5 - cull->at.y), candidate->hi[0] - x + 1,
-                     cull->keys + (size_t)y * (size_t)width + x);
+        const struct csg_candidate *occluder = &cull->occluders[i];
+        const int first = occluder->lo[1] > begin ? occluder->lo[1] : begin;
+        const int last = occluder->hi[1] < end ? occluder->hi[1] : end;
+        if (first <= last && shows_in(cull, occluder, first, last))
+            draw(cull, occluder, first, last);
     }
 }
 
 bool csg_occlusion_draw(struct csg_cull *cull)
 {
+    if (!csg_screen_is_square(cull->screen))
+        return true;
     if (!list_occluders(cull))
         return false;
     if (!cull->num_occluders)
@@ -188,7 +182,6 @@ bool csg_occlusion_draw(struct csg_cull *cull)
         malloc((size_t)cull->screen->width * (size_t)cull->screen->height * sizeof *cull->keys);
     if (!cull->keys)
         return false;
-    csg_parallel((cull->num_occluders + TERMS_BLOCK - 1) / TERMS_BLOCK, find_terms, cull);
     csg_parallel(NUM_BANDS, draw_band, cull);
     return true;
 }
