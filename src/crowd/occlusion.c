@@ -9,9 +9,6 @@
 /* Share of a ball's largest h (of its depth in keys, squared) from which on it certainly hides. */
 #define CERTAIN 1e-3f
 
-/* Balls that cover fewer pixels hide too little. */
-#define MIN_PIXELS 4
-
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
 
@@ -33,9 +30,7 @@ float csg_occlusion_near(const struct csg_screen *screen, double t)
 
 static bool hides(const struct csg_cull *cull, const struct csg_candidate *candidate)
 {
-    const int width = candidate->hi[0] - candidate->lo[0] + 1;
-    const int height = candidate->hi[1] - candidate->lo[1] + 1;
-    return width * height >= MIN_PIXELS && cull->crowd->opaque[candidate->member];
+    return cull->crowd->opaque[candidate->member];
 }
 
 /* Roughly in order of depth: bins between the nearest and the farthest key. */
