@@ -23,6 +23,10 @@ bool csg_compound_minkowski(struct csg_walk *walk, uint32_t node, const struct c
                             bool in_boolean, struct csg_part *part);
 bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                          bool in_boolean, struct csg_part *part);
+bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                         bool in_boolean, struct csg_part *part);
+bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                          bool in_boolean, struct csg_part *part);
 /* A drawing by itself, as a slab. */
 bool csg_compound_slab(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                        bool in_boolean, struct csg_part *part);

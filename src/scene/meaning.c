@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "scene/handoff.h"
+#include "scene/import.h"
 
 /* Characters of a name that a message quotes. */
 enum { shown_length = 40 };
@@ -81,25 +81,22 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
     return meaning;
 }
 
-static bool is_drawing_file(const struct csg_arguments *arguments)
-{
-    const struct csg_args args = {
-        .args = arguments->args.data, .num = arguments->args.num, .parameters = "file"};
-    const struct csg_value *file = csg_args_find(&args, "file");
-    const char *dot = file && file->type == CSG_VALUE_STRING ? strrchr(file->string, '.') : NULL;
-    return dot && (strcasecmp(dot, ".dxf") == 0 || strcasecmp(dot, ".svg") == 0);
-}
-
-/* A drawing or a mesh: the ending of the file tells. */
-static uint8_t dimension_of_import(const struct csg_builder *builder, uint32_t node)
+/* A drawing or a mesh, and whether it needs OpenSCAD: the ending of the file tells. */
+static void classify_import(const struct csg_builder *builder, uint32_t node,
+                            struct csg_meaning *meaning)
 {
     struct csg_arguments arguments = {0};
-    uint8_t dimension = 3;
+    meaning->dimension = 3;
     if (!builder->document->nodes.data[node].malformed &&
-        csg_document_arguments(builder->document, node, &arguments, builder->report))
-        dimension = is_drawing_file(&arguments) ? 2 : 3;
+        csg_document_arguments(builder->document, node, &arguments, builder->report)) {
+        const struct csg_args args = {
+            .args = arguments.args.data, .num = arguments.args.num, .parameters = "file"};
+        const char *name = csg_import_name(&args);
+        meaning->dimension = csg_import_is_drawing(name) ? 2 : 3;
+        if (csg_import_is_mesh(name))
+            meaning->role = CSG_ROLE_COMPOUND;
+    }
     csg_arguments_finish(&arguments);
-    return dimension;
 }
 
 /* What a highlighted union holds needs no highlight of its own; the operands of a difference or
@@ -125,7 +122,7 @@ static uint32_t assign_meaning(struct csg_builder *builder, uint32_t node)
     meaning->is_covered = is_covered;
     if (meaning->role == CSG_ROLE_UNSUPPORTED && meaning->dimension == 0 &&
         parsed->name_length == 6 && memcmp(name_of(builder, node), "import", 6) == 0)
-        meaning->dimension = dimension_of_import(builder, node);
+        classify_import(builder, node, meaning);
     cover_children(builder, node);
     if (meaning->role == CSG_ROLE_UNKNOWN) {
         report_unknown(builder, node);

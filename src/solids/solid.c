@@ -31,6 +31,8 @@ const char *csg_kind_name(enum csg_kind kind)
         [CSG_KIND_HULL - CSG_NUM_KINDS] = "hull",
         [CSG_KIND_MINKOWSKI - CSG_NUM_KINDS] = "minkowski",
         [CSG_KIND_RESIZE - CSG_NUM_KINDS] = "resize",
+        [CSG_KIND_IMPORT - CSG_NUM_KINDS] = "import",
+        [CSG_KIND_SURFACE - CSG_NUM_KINDS] = "surface",
         [CSG_KIND_DRAWING - CSG_NUM_KINDS] = "drawing",
         [CSG_KIND_OPENSCAD - CSG_NUM_KINDS] = "openscad",
     };

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_IMPORT_H
+#define CSG_SCENE_IMPORT_H
+
+#include "scene/file.h"
+#include "scene/walk.h"
+
+/* The file that a node names by "file", as a string; NULL: it names none. */
+const char *csg_import_name(const struct csg_args *args);
+
+/* Whether csg_compound_import reads files with that name's ending. */
+bool csg_import_is_mesh(const char *name);
+
+/* Whether the ending is that of a drawing. */
+bool csg_import_is_drawing(const char *name);
+
+/* Reads the file, named relative to the scene's directory. is_there: it was read; otherwise a
+ * warning was given, and the node is empty as in OpenSCAD. false, with a message, when memory is
+ * out. The caller frees the bytes. */
+bool csg_import_read(struct csg_walk *walk, uint32_t node, const char *name,
+                     struct csg_bytes *bytes, bool *is_there);
+
+#endif
