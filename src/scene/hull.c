@@ -10,6 +10,7 @@
 #include "polyhedra/evaluate.h"
 #include "scene/compounds.h"
 #include "scene/parts.h"
+#include "scene/rounded.h"
 
 /* Sums of more corners are refused. */
 enum { max_sums = 4000000 };
@@ -117,7 +118,8 @@ bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_ar
     struct origin origin = {0};
     bool is_there = false, taken = false;
     (void)args;
-    if (!take_cylinders(walk, node, in_boolean, part, &taken))
+    if (!take_cylinders(walk, node, in_boolean, part, &taken) ||
+        (!taken && !csg_rounded_hull(walk, node, in_boolean, part, &taken)))
         return false;
     if (taken)
         return true;
@@ -208,9 +210,12 @@ bool csg_compound_minkowski(struct csg_walk *walk, uint32_t node, const struct c
 {
     struct csg_clusters sum = {0};
     struct origin origin = {0};
-    bool ok = true, is_there = true;
+    bool is_there = true, taken;
     const uint32_t end = csg_walk_node(walk, node)->end;
     (void)args;
+    bool ok = csg_rounded_sum(walk, node, in_boolean, part, &taken);
+    if (!ok || taken)
+        return ok;
     for (uint32_t i = node + 1; i < end && ok && is_there; i = csg_walk_node(walk, i)->end) {
         struct csg_clusters operand = {0};
         if (csg_is_left_out(walk->builder, i))
