@@ -3,7 +3,8 @@
 #   awk -F, -f bars.awk results.csv
 #
 # What is asked of csgcast, as ratios, and what was measured: by the clock and by the processor time
-# of all cores, which decides, as it depends least on what else the machine does.
+# of all cores, which decides where it is known (Tachyon does not tell that of tracing alone), as it
+# depends least on what else the machine does.
 
 NR > 1 { value[$1, $2, $3] = $4; iou[$1, $2] = $8 }
 
