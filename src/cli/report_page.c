@@ -56,7 +56,7 @@ static void print_reading(const struct csg_report *report, FILE *file)
         "(more than a fifth of the scene's radius off). Of the others, *depth error*\n  is |z - "
         "z_reference| as a share of the scene's radius: the value that 99 % of the pixels do "
         "not exceed, and the largest. Depths are written\n  as float, which alone costs some "
-        "10^-7.\n"
+        "10^-7. Zeroes lie on the lower edge of the plots.\n"
         "* **Time to the first image** is what a user waits for: the scene is read (a .scad "
         "through openscad), programs are compiled or the mesh is\n  made and uploaded, one frame "
         "is "
