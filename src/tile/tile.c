@@ -30,8 +30,6 @@ struct task {
 #define STUBBORN_LEAVES 256
 #define STUBBORN_SHARE 0.9
 
-/* Texels in a frame beyond which tiles are not cut further: 128 MB. */
-#define MAX_CUT_TEXELS ((size_t)8 << 20)
 
 struct tiler {
     struct csg_terms *terms;
@@ -44,6 +42,7 @@ struct tiler {
     CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
     CSG_ARRAY(double) candidates;
     struct csg_scan scan;
+    size_t max_texels; /* of the frame, from which on tiles are not cut further */
     bool opaque; /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
@@ -301,7 +300,7 @@ static bool is_worth_cutting(const struct tiler *tiler, const struct task *task,
     if (!small_enough)
         return true;
     return !smallest && !stubborn && num_leaves > SMALL_LEAVES &&
-           tiler->terms->frame->texels.num / 4 < MAX_CUT_TEXELS;
+           tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
 static bool run(struct tiler *tiler, struct task *task)
@@ -350,15 +349,13 @@ static bool run_all(struct tiler *tiler)
     return ok;
 }
 
-bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw)
+bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
+                   const struct csg_tile_area *area, const struct csg_draw *draw)
 {
-    struct tiler tiler = {.terms = terms, .draw = draw};
-    struct task whole = {.before = {0}};
-    for (int i = 0; i < 2; i++) {
-        whole.lo[i] = (int)floor(rect->lo[i]);
-        whole.hi[i] = (int)ceil(rect->hi[i]);
-    }
+    struct tiler tiler = {.terms = terms,
+                          .draw = draw,
+                          .max_texels = area->max_texels + terms->frame->texels.num / 4};
+    struct task whole = {.lo = {area->lo[0], area->lo[1]}, .hi = {area->hi[0], area->hi[1]}};
     bool ok = object_tree(terms->scene, object, &whole.tree);
     if (ok && !csg_array_push(&tiler.tasks, whole)) {
         free(whole.tree.data);

@@ -14,8 +14,21 @@
 /* Tiles are not cut below this size, in pixels. */
 #define CSG_TILE_SIZE 8
 
-/* Appends the object's records and draws to the frame. terms are the object's; tree has its nodes
- * from 0 on; rect in pixels, like csg_screen_rect's. false: out of memory. */
+/* Texels of an object beyond which its tiles are not cut further: 128 MB. */
+#define CSG_MAX_TILED_TEXELS ((size_t)8 << 20)
+
+/* A part of the picture to be tiled: pixels [lo, hi), and how many texels it may take. */
+struct csg_tile_area {
+    int lo[2], hi[2];
+    size_t max_texels;
+};
+
+/* Appends the object's records and draws in an area to the frame; terms are the object's. false:
+ * out of memory. */
+bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
+                   const struct csg_tile_area *area, const struct csg_draw *draw);
+
+/* The same for all of the object, on all cores; rect in pixels, like csg_screen_rect's. */
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw);
 

@@ -104,4 +104,17 @@ fi
 expect 0 "empty scene" render - -o empty.png "${small[@]}" </dev/null
 check "empty.png is a PNG" is_png empty.png
 
+# A large object is tiled by all cores: the same picture by one.
+{
+    echo 'difference() { cube([100, 100, 5]);'
+    for ((i = 0; i < 81; i++)); do
+        echo "translate([$((i % 9 * 10 + 10)), $((i / 9 * 10 + 10)), -1]) cylinder(h = 7, r = 3);"
+    done
+    echo '}'
+} >plate.csg
+expect 0 "all cores" render plate.csg -o all.png --imgsize=256,256
+taskset -c 0 "$csgcast" render plate.csg -o one.png --imgsize=256,256 >out 2>err
+report $? "one core"
+check "both pictures are equal" cmp all.png one.png
+
 finish
