@@ -139,7 +139,7 @@ static bool is_one_sphere(const struct csg_walk *walk, uint32_t child)
     return num == 1;
 }
 
-/* The two operands; false unless there are two and exactly one is a sphere. */
+/* The two operands; false unless there are two and one is a sphere. */
 static bool find_operands(const struct csg_walk *walk, uint32_t node, uint32_t *sphere,
                           uint32_t *other)
 {
@@ -151,9 +151,11 @@ static bool find_operands(const struct csg_walk *walk, uint32_t node, uint32_t *
                 return false;
             operands[num++] = i;
         }
-    if (num < 2 || is_one_sphere(walk, operands[0]) == is_one_sphere(walk, operands[1]))
+    if (num < 2)
         return false;
     const int at = is_one_sphere(walk, operands[1]);
+    if (!is_one_sphere(walk, operands[at]))
+        return false;
     *sphere = operands[at];
     *other = operands[1 - at];
     return true;
@@ -201,10 +203,17 @@ static enum csg_hull_result add_sum(const struct csg_part *sphere, const struct 
                                     struct csg_part *part, bool *taken)
 {
     struct csg_clusters clusters = {0};
-    struct csg_ball ball;
+    struct csg_ball ball, second;
     *taken = false;
-    if (sphere->shapes.num != 1 || !csg_shape_is_ball(&sphere->shapes.data[0], &ball) ||
-        has_quadrics(other) || other->is_too_large)
+    if (sphere->shapes.num != 1 || !csg_shape_is_ball(&sphere->shapes.data[0], &ball))
+        return CSG_HULL_DONE;
+    if (other->shapes.num == 1 && csg_shape_is_ball(&other->shapes.data[0], &second)) {
+        *taken = true;
+        ball.center = csg_add(ball.center, second.center);
+        ball.radius += second.radius;
+        return csg_ball_hull(part, &ball, 1, rounding_of(sphere) + rounding_of(other));
+    }
+    if (has_quadrics(other) || other->is_too_large)
         return CSG_HULL_DONE;
     enum csg_hull_result result = csg_part_evaluate(other, &clusters);
     if (result == CSG_HULL_DONE)

@@ -11,6 +11,9 @@
 #include "scene/mesh_file.h"
 #include "scene/polyhedron.h"
 
+/* Rows of the longest one's length may not have more heights together. */
+enum { max_heights = 10000000 };
+
 /* One height after the other, row by row; rows may differ in length. */
 struct heights {
     CSG_ARRAY(double) values;
@@ -170,8 +173,8 @@ static bool add_heights(struct csg_walk *walk, uint32_t node, const struct heigh
         .heights = heights, .mesh = &mesh, .rows = heights->rows.num, .columns = heights->columns};
     if (relief.rows < 2 || relief.columns < 2)
         return true;
-    if (relief.rows > UINT32_MAX / 8 / relief.columns) {
-        csg_walk_unsupported(walk, node, "surface: it has too many heights");
+    if (relief.rows > max_heights / relief.columns) {
+        csg_walk_unsupported(walk, node, "surface: it has more than %d heights", max_heights);
         return true;
     }
     relief.x = center ? -((double)relief.columns - 1) / 2 : 0;

@@ -11,3 +11,7 @@ translate([30, 0, 0]) minkowski() {
     }
     sphere(1);
 }
+translate([0, 30, 0]) minkowski() {
+    sphere(2);
+    translate([3, 0, 0]) sphere(1);
+}

@@ -10,3 +10,4 @@ translate([30, 0, 0]) {
     rounded([8, 0, 0], [12, 12, 12], 1);
     rounded([0, 6, 0], [12, 12, 12], 1);
 }
+translate([3, 30, 0]) sphere(3);
