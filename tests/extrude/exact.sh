@@ -1,15 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-#   exact.sh CACHE REFEREE SCENE.scad FN SAGITTA [MESH.scad]
+#   exact.sh CACHE REFEREE SCENE.scad
 #
-# csgcast's exact surfaces against OpenSCAD's mesh with $fn = FN in place of the scene's own (with
-# many an FN that is no multiple of 8 OpenSCAD 2025 loses hulls of spheres). SAGITTA: the largest
-# radius times 1 - cos(pi / FN), and some more where circles meet. MESH.scad: the same solids, in
-# nodes that take OpenSCAD less time.
+# csgcast's exact surfaces against OpenSCAD's mesh with $fn = 720 in place of the scene's own: the
+# largest radius, 15, times 1 - cos(pi / 720) is less than 2e-4.
 
 set -eu
 here=$(dirname "$0")
-stl=$(node "$here/../openscad/mesh.mjs" "$1" "${6-$3}" "\$fn=$4")
-"$2" --name="$(basename "$3" .scad)-exact" --facets=exact --sagitta="$5" --views=3 \
-    --imgsize=256,192 "$3" "$stl"
+stl=$(node "$here/../openscad/mesh.mjs" "$1" "$3" '$fn=720')
+"$2" --name=extrude-exact --facets=exact --sagitta=2e-4 --views=3 --imgsize=256,192 "$3" "$stl"
