@@ -9,7 +9,7 @@
 #define KEY_ROUNDING (1.5 / (1 << 24))
 
 /* What is finer than this many times the error of a key needs better keys. */
-#define MIN_STEPS 16.0
+#define MIN_STEPS 64.0
 
 /* Radians that a normal may be off, with the error of a key as its bound says: the errors that are
  * measured are a tenth of that, and docs/numerics.md promises 0.05 degrees. */

@@ -28,7 +28,7 @@ static const struct choice choices[] = {
     {"cube([10, 10, 1e-6]);", {40, 30, 20}, {5, 5, 0}, 1, "thick"},
     {"cylinder(r = 1e-4, h = 10);", {40, 30, 20}, {0, 0, 5}, 1, "radius of curvature"},
     {"difference() { sphere(r = 10); sphere(r = 9.99999); }", {40, 30, 20}, {0, 0, 0}, 1, "apart"},
-    {"tetrahedron(points = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 0.0001]]);",
+    {"tetrahedron(points = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 0.0004]]);",
      {40, 30, 20}, {0, 0, 0}, 1, "radians"},
     {"translate([-50, -50, -10]) cube([100, 100, 10]);", {0, 0, 0.01}, {9, 0, -1}, 1,
      "close to a face"},
