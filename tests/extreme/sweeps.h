@@ -12,7 +12,6 @@ struct sweep {
     const double *values;
     int num_values;
     int num_shots; /* different ones per value; more are repeated with other random numbers */
-    double judged[2]; /* parameters in this range must hold the bars; others are only reported */
     bool contacts;     /* solids that touch */
     void (*make)(struct shot *shot, struct dice *dice, double value, int index);
 };
