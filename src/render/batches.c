@@ -41,7 +41,8 @@ bool csg_draws_whole(size_t object, const void *user)
 {
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
-    if (request->scene->objects->data[object].crowded || request->resolver == CSG_RESOLVER_CHAIN)
+    if (request->scene->objects->data[object].crowded || request->tile_size ||
+        request->resolver == CSG_RESOLVER_CHAIN)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;

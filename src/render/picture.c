@@ -517,10 +517,19 @@ static void name_variants(const struct picture *picture, char *text, size_t size
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const struct csg_frame_params params = {
-        &request->frustum, request->width,           request->height, request->scheme,
-        request->view->cut_color, csg_draws_whole, request, request->textbook,
-        request->resolver == CSG_RESOLVER_DOUBLE, renderer->gl->has_double,
-        request->resolver < 0 && !request->textbook};
+        .frustum = &request->frustum,
+        .width = request->width,
+        .height = request->height,
+        .scheme = request->scheme,
+        .cut_color = request->view->cut_color,
+        .whole = csg_draws_whole,
+        .user = request,
+        .textbook = request->textbook,
+        .precise = request->resolver == CSG_RESOLVER_DOUBLE,
+        .has_double = renderer->gl->has_double,
+        .crowds = request->resolver < 0 && !request->textbook && !request->tile_size,
+        .tile_size = request->tile_size,
+    };
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);

@@ -24,6 +24,10 @@ struct csgcast_renderer *csgcast_renderer_create(const struct csgcast_renderer_p
         return NULL;
     }
     renderer->log = log;
+    const char *tile_size = getenv("CSGCAST_TILE_SIZE");
+    renderer->tile_size = tile_size ? (int)strtol(tile_size, NULL, 10) : 0;
+    if (renderer->tile_size < 0)
+        renderer->tile_size = 0;
     if (params->backend != CSGCAST_BACKEND_REFERENCE) {
         renderer->gl = csg_gl_create(params->backend, &log);
         renderer->programs.gl = renderer->gl;
@@ -147,7 +151,7 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
     static const struct csgcast_view default_view;
     const double start = csg_clock_ms();
     struct csg_request request = {.scene = scene, .view = view ? view : &default_view,
-                                  .image = image};
+                                  .tile_size = renderer->tile_size, .image = image};
     if (!resolve_request(renderer, &request))
         return false;
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};

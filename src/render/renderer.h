@@ -12,6 +12,7 @@ struct csgcast_renderer {
     struct csg_programs programs;
     struct csg_targets targets;
     GLuint data_texture;
+    int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     int data_rows; /* allocated */
     GLuint vertex_array, instance_buffer, empty_array;
     GLuint crowd_array, crowd_buffer;
@@ -28,6 +29,7 @@ struct csg_request {
     int width, height;
     int resolver; /* enum csg_resolver, or -1 for the best */
     bool textbook; /* crossings as textbooks have them */
+    int tile_size; /* as in csg_frame_params */
     const struct csgcast_image *image;
 };
 

@@ -220,13 +220,20 @@ static bool copy_tree(const struct csg_tree *tree, struct csg_tree *copy)
     return true;
 }
 
+static int tile_size(const struct tiler *tiler)
+{
+    const int size = tiler->terms->params->tile_size;
+    return size ? size : CSG_TILE_SIZE;
+}
+
 /* Cuts across the longer side; takes the task's tree. */
 static bool cut(struct tiler *tiler, struct task *task)
 {
     struct task other = *task;
     const int axis = task->hi[0] - task->lo[0] >= task->hi[1] - task->lo[1] ? 0 : 1;
     const int size = task->hi[axis] - task->lo[axis];
-    const int middle = task->lo[axis] + (size / 2 + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE * CSG_TILE_SIZE;
+    const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
+    const int middle = task->lo[axis] + (size / 2 + tile - 1) / tile * tile;
     if (!copy_tree(&task->tree, &other.tree))
         return false;
     task->hi[axis] = other.lo[axis] = middle;
@@ -290,8 +297,9 @@ static bool emit(struct tiler *tiler, const struct task *task)
 
 static bool is_worth_cutting(const struct tiler *tiler, const struct task *task, size_t num_leaves)
 {
-    const bool smallest = task->hi[0] - task->lo[0] <= CSG_TILE_SIZE &&
-                          task->hi[1] - task->lo[1] <= CSG_TILE_SIZE;
+    const int tile = tile_size(tiler);
+    const bool smallest =
+        task->hi[0] - task->lo[0] <= tile && task->hi[1] - task->lo[1] <= tile;
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
     const bool small_enough = tiler->terms->views.num == 0 ||

@@ -12,8 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ideal/judge.h"
-#include "ideal/text.h"
+#include "metamorphic.h"
 #include "twin/random_scene.h"
 
 /* Where the pair is drawn by different keys, or turned: float's noise. */
@@ -54,18 +53,7 @@ static const struct pair pairs[] = {
 };
 enum { NUM_PAIRS = sizeof pairs / sizeof *pairs };
 
-struct run {
-    struct csgcast_renderer *renderer;
-    int size;
-    struct picture first, second;
-    int failed, num;
-};
-
-struct operands {
-    char *texts[3];
-};
-
-static void put_formula(struct text *text, const char *formula, const struct operands *operands)
+void put_formula(struct text *text, const char *formula, const struct operands *operands)
 {
     for (const char *c = formula; *c; c++) {
         const bool alone = c > formula && c[-1] == ' ' && c[1] == ' ';
@@ -78,7 +66,7 @@ static void put_formula(struct text *text, const char *formula, const struct ope
     }
 }
 
-static struct csgcast_scene *parse(const struct text *text, const char *name)
+struct csgcast_scene *parse(const struct text *text, const char *name)
 {
     const struct csgcast_scene_params params = {.name = name};
     return csgcast_scene_parse(text->data, text->num, &params);
@@ -113,10 +101,10 @@ static bool differs(const struct picture *a, const struct picture *b, int i, boo
            !(picture_angle(a->normal + 3 * i, b->normal + 3 * i) <= MAX_NORMAL_ERROR);
 }
 
-/* Compares run's pictures. */
-static bool judge(struct run *run, const char *name, bool exact)
+bool judge(struct run *run, const char *name, int size, bool exact)
 {
-    const int size = run->size;
+    struct picture *a = &run->first, *b = &run->second;
+    a->width = a->height = b->width = b->height = size;
     int wrong = 0, edge = 0, where = 0;
     for (int i = 0; i < size * size; i++) {
         if (!differs(&run->first, &run->second, i, exact))
@@ -136,7 +124,7 @@ static bool judge(struct run *run, const char *name, bool exact)
     return ok;
 }
 
-static void save(const char *name, const char *which, const struct text *text)
+void save(const char *name, const char *which, const struct text *text)
 {
     char path[160];
     snprintf(path, sizeof path, "%s-%s.csg", name, which);
@@ -147,7 +135,7 @@ static void save(const char *name, const char *which, const struct text *text)
     }
 }
 
-static struct csgcast_view random_view(struct dice *dice, int size)
+struct csgcast_view random_view(struct dice *dice, int size)
 {
     struct csgcast_view view = {.width = size, .height = size};
     view.camera.kind = CSGCAST_CAMERA_GIMBAL;
@@ -170,7 +158,7 @@ static void check_pair(struct run *run, const struct pair *pair, const struct op
     const struct csgcast_view view = random_view(dice, run->size);
     const bool drawn = a && b && picture_render(run->renderer, a, &view, &run->first) &&
                        picture_render(run->renderer, b, &view, &run->second);
-    if (!drawn || !judge(run, name, pair->exact)) {
+    if (!drawn || !judge(run, name, run->size, pair->exact)) {
         run->failed += !drawn;
         save(name, "first", &first);
         save(name, "second", &second);
@@ -270,7 +258,7 @@ static void check_motion(struct run *run, const struct motion *motion,
     move_camera(&view.camera, motion);
     drawn = drawn && picture_render(run->renderer, b, &view, &run->second);
     undo(&run->second, motion);
-    if (!drawn || !judge(run, name, false)) {
+    if (!drawn || !judge(run, name, run->size, false)) {
         run->failed += !drawn;
         save(name, "first", &first);
         save(name, "second", &second);
@@ -305,6 +293,8 @@ static void check_all(struct run *run, int rounds, unsigned long long seed)
             snprintf(name, sizeof name, "%llu-%d %s", seed, round, motions[i].name);
             check_motion(run, &motions[i], &operands, &dice, name);
         }
+        snprintf(name, sizeof name, "%llu-%d", seed, round);
+        check_windows(run, &operands, &dice, name);
         for (int i = 0; i < 3; i++)
             free(operands.texts[i]);
     }
@@ -312,8 +302,7 @@ static void check_all(struct run *run, int rounds, unsigned long long seed)
 
 int main(int argc, char **argv)
 {
-    struct run run = {.size = 48};
-    enum csgcast_backend backend = CSGCAST_BACKEND_EGL;
+    struct run run = {.size = 48, .backend = CSGCAST_BACKEND_EGL};
     unsigned long long seed = 1;
     int rounds = 6;
     for (int i = 1; i < argc; i++) {
@@ -326,14 +315,14 @@ int main(int argc, char **argv)
         else if (strncmp(argv[i], "--seed=", 7) == 0)
             seed = strtoull(value, NULL, 0);
         else if (strcmp(argv[i], "--backend=osmesa") == 0)
-            backend = CSGCAST_BACKEND_OSMESA;
+            run.backend = CSGCAST_BACKEND_OSMESA;
         else if (strcmp(argv[i], "--backend=reference") == 0)
-            backend = CSGCAST_BACKEND_REFERENCE;
+            run.backend = CSGCAST_BACKEND_REFERENCE;
         else if (strcmp(argv[i], "--backend=egl") != 0)
             return fprintf(stderr, "metamorphic: cannot use %s\n", argv[i]), 2;
     }
     run.renderer =
-        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = backend});
+        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = run.backend});
     run.first = picture_create(run.size, run.size);
     run.second = picture_create(run.size, run.size);
     if (run.renderer)
