@@ -14,12 +14,16 @@
 /* Quadrics with boxes that differ by less than this share nearly coincide. */
 #define NEAR_BOXES 1e-3
 
+/* Smaller shares of the coordinates, and angles, are rounding: what decomposing a polygon leaves over. */
+#define NOISE 1e-11
+
 /* Points of a quadric's surface that show how far it is from another. */
 #define NUM_SAMPLES 24
 
 /* A carrier of the object at hand. */
 struct surface {
     uint32_t carrier, leaf;
+    bool turned;  /* what is taken away or flipped: the solid is on the carrier's other side */
     double place; /* where to look for those like it: the direction of a plane, a side of a box */
 };
 
@@ -98,13 +102,26 @@ static double curvature(const struct csg_quadric *quadric, double size)
     return shortest * fmin(1, shortest / longest);
 }
 
+/* Size of the coordinates, as far as they are finite. */
+static double largest(const struct csg_box *box)
+{
+    const double all[6] = {box->lo.x, box->lo.y, box->lo.z, box->hi.x, box->hi.y, box->hi.z};
+    double size = 0;
+    for (int i = 0; i < 6; i++)
+        size = isfinite(all[i]) ? fmax(size, fabs(all[i])) : size;
+    return size;
+}
+
 static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *scene, uint32_t leaf)
 {
     const struct csg_shape *shape = &scene->leaves[leaf].shape;
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     struct csg_vec3 edges[3];
     box_edges(shape, edges);
-    note(sharp, CSG_FINE_THICKNESS, thickness(edges), leaf);
+    const struct csg_box place = csg_leaf_box(&scene->leaves[leaf]);
+    const double thick = thickness(edges), noise = NOISE * largest(&place);
+    if (thick > noise)
+        note(sharp, CSG_FINE_THICKNESS, thick, leaf);
     if (face.carrier == CSG_NO_CARRIER)
         return;
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
@@ -124,42 +141,53 @@ static double place_of_plane(const struct csg_plane *plane)
     return fabs(csg_dot(plane->normal, csg_vec3(0.54, 0.32, 0.78)));
 }
 
-static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene, uint32_t leaf)
+static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene,
+                     const struct csg_node *node)
 {
     const struct csg_carriers *carriers = scene->carriers;
+    const uint32_t leaf = node->leaf;
     /* The faces of a surface do not reach to where their planes meet. */
     if (scene->leaves[leaf].shape.surface)
         return true;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const uint32_t carrier = carriers->faces[i].carrier;
         const double place = place_of_plane(&carriers->planes[carrier]);
-        if (!csg_array_push(&surfaces->planes, ((struct surface){carrier, leaf, place})))
+        const bool turned = carriers->faces[i].flipped != node->negated;
+        if (!csg_array_push(&surfaces->planes, ((struct surface){carrier, leaf, turned, place})))
             return false;
     }
     const uint32_t carrier = carriers->quadric_faces[leaf].carrier;
     if (carrier == CSG_NO_CARRIER)
         return true;
     const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
-    return csg_array_push(&surfaces->quadrics, ((struct surface){carrier, leaf, place}));
+    const bool turned = carriers->quadric_faces[leaf].flipped != node->negated;
+    return csg_array_push(&surfaces->quadrics, ((struct surface){carrier, leaf, turned, place}));
 }
 
 /*
  * Over a ball around center, aligned planes at the angle a are between d - a r and d + a r apart, with
- * d their distance in the middle: they meet there, or leave a gap.
+ * d their distance in the middle: they meet there, or leave a gap. Only where their solids lie on
+ * different sides is that a wedge or a wall; else it is an edge so flat that either side of it will
+ * do.
  */
-static void note_planes(struct csg_sharpness *sharp, const struct csg_plane *a,
-                        const struct csg_plane *b, struct csg_vec3 center, double radius,
-                        uint32_t leaf)
+static void note_planes(struct csg_sharpness *sharp, const struct csg_carriers *carriers,
+                        const struct surface *x, const struct surface *y, struct csg_vec3 center,
+                        double radius)
 {
+    const struct csg_plane *a = &carriers->planes[x->carrier], *b = &carriers->planes[y->carrier];
+    const uint32_t leaf = y->leaf;
     const double s = csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
+    if ((s > 0) == (x->turned == y->turned))
+        return;
     const double angle = csg_length(csg_sub(a->normal, csg_scale(s, b->normal)));
     if (angle > CSG_FINE_MAX_ANGLE)
         return;
+    const double noise = NOISE * (csg_length(center) + radius);
     const double apart = fabs((a->offset - csg_dot(a->normal, center)) -
                               s * (b->offset - csg_dot(b->normal, center)));
-    if (apart <= angle * radius)
+    if (apart <= angle * radius && angle > NOISE)
         note(sharp, CSG_FINE_ANGLE, angle, leaf);
-    else if (apart <= radius)
+    else if (apart <= radius && apart - angle * radius > noise)
         note(sharp, CSG_FINE_GAP, apart - angle * radius, leaf);
 }
 
@@ -214,12 +242,11 @@ static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *
         for (size_t j = i + 1; j < num_planes && j < i + MAX_NEIGHBOURS &&
                                p[j].place - p[i].place < 2 * CSG_FINE_MAX_ANGLE; j++)
             if (p[i].carrier != p[j].carrier)
-                note_planes(sharp, &carriers->planes[p[i].carrier],
-                            &carriers->planes[p[j].carrier], center, radius, p[j].leaf);
+                note_planes(sharp, carriers, &p[i], &p[j], center, radius);
     for (size_t i = 0; i < num_quadrics; i++)
         for (size_t j = i + 1; j < num_quadrics && j < i + MAX_NEIGHBOURS &&
                                q[j].place - q[i].place < NEAR_BOXES * radius; j++)
-            if (q[i].carrier != q[j].carrier)
+            if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned)
                 note_quadrics(sharp, scene, &q[i], &q[j]);
 }
 
@@ -241,7 +268,7 @@ static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene 
         if (nodes[i].op != CSG_LEAF || nodes[i].spare)
             continue;
         note_leaf(sharp, scene, nodes[i].leaf);
-        if (!add_leaf(surfaces, scene, nodes[i].leaf))
+        if (!add_leaf(surfaces, scene, &nodes[i]))
             return false;
     }
     const struct csg_box *box = &object->box;

@@ -6,14 +6,37 @@
 
 #include "csg/carrier.h"
 
-/* Which carriers belong to precise objects: planes, then quadrics. */
+/* The colour of the precise objects' faces by carrier and side: planes, then quadrics. */
 struct marks {
     const struct csgcast_scene *scene;
-    bool *marked;
+    uint32_t *colors;
     bool changed;
 };
 
-/* Visits the carriers of an object: marks them, or tells whether one is marked. */
+#define NO_COLOR 0
+#define MANY_COLORS 1
+
+static uint32_t color_of(const struct csg_leaf *leaf)
+{
+    uint32_t color = 0;
+    for (int i = 0; i < 4; i++)
+        color = color * 251 + (uint32_t)(int32_t)(255 * leaf->color[i]) + 2;
+    return color > MANY_COLORS ? color : 2;
+}
+
+/* Visits a face: marks it, or tells whether one of another colour may be in the same place, where
+ * the first object in the file is to win in every pixel. */
+static bool visit_face(struct marks *marks, size_t slot, uint32_t color, bool mark)
+{
+    uint32_t *known = &marks->colors[slot];
+    const bool differs = *known != NO_COLOR && *known != color;
+    if (mark && *known != color && *known != MANY_COLORS) {
+        *known = *known == NO_COLOR ? color : MANY_COLORS;
+        marks->changed = true;
+    }
+    return differs;
+}
+
 static bool visit(struct marks *marks, const struct csg_object *object, bool mark)
 {
     const struct csg_carriers *carriers = marks->scene->carriers;
@@ -23,17 +46,16 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
         const uint32_t leaf = nodes[i].leaf;
         if (nodes[i].op != CSG_LEAF || nodes[i].spare)
             continue;
-        for (uint32_t j = carriers->face_begin[leaf]; j <= carriers->face_begin[leaf + 1]; j++) {
-            const bool plane = j < carriers->face_begin[leaf + 1];
-            const uint32_t carrier =
-                plane ? carriers->faces[j].carrier : carriers->quadric_faces[leaf].carrier;
-            if (carrier == CSG_NO_CARRIER)
-                continue;
-            bool *marked = &marks->marked[(plane ? 0 : carriers->num_planes) + carrier];
-            found |= *marked;
-            marks->changed |= mark && !*marked;
-            *marked |= mark;
-        }
+        const uint32_t color = color_of(&marks->scene->leaves[leaf]);
+        for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
+            found |= visit_face(marks, 2 * (size_t)carriers->faces[j].carrier +
+                                           (carriers->faces[j].flipped != nodes[i].negated),
+                                color, mark);
+        const struct csg_face face = carriers->quadric_faces[leaf];
+        if (face.carrier != CSG_NO_CARRIER)
+            found |= visit_face(marks, 2 * (carriers->num_planes + face.carrier) +
+                                           (face.flipped != nodes[i].negated),
+                                color, mark);
     }
     return found;
 }
@@ -58,11 +80,13 @@ static void spread(struct csg_frame *frame, const struct csg_objects *objects, s
 static bool spread_to_sharers(struct csg_frame *frame, const struct csgcast_scene *scene)
 {
     struct marks marks = {.scene = scene};
-    marks.marked = calloc(scene->carriers->num_planes + scene->carriers->num_quadrics + 1, 1);
-    if (marks.marked)
+    const size_t num = scene->carriers->num_planes + scene->carriers->num_quadrics;
+    marks.colors = calloc(2 * num + 1, sizeof *marks.colors);
+    const bool ok = marks.colors != NULL;
+    if (ok)
         spread(frame, scene->objects, &marks);
-    free(marks.marked);
-    return marks.marked != NULL;
+    free(marks.colors);
+    return ok;
 }
 
 bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,

@@ -34,8 +34,14 @@ static const struct choice choices[] = {
      "close to a face"},
     /* only the object that needs it, and those that share a surface with it */
     {"cube([10, 10, 1e-6]); translate([20, 20, 3]) sphere(r = 2);", {40, 30, 20}, {5, 5, 0}, 1, "thick"},
-    {"cube([10, 10, 1e-6]); translate([20, 0, 0]) cube(5); translate([0, 20, 3]) cube(5);",
-     {80, 60, 40}, {5, 5, 0}, 3, "shares"},
+    {"cube([10, 10, 1e-6]); color(\"red\") translate([20, 0, 0]) cube(5); "
+     "translate([0, 20, 3]) cube(5);",
+     {80, 60, 40}, {5, 5, 0}, 2, "shares"},
+    /* edges that are nearly flat, between faces on the same side, are no matter */
+    {"intersection() { cube(10); rotate([0.001, 0, 0]) translate([-1, -1, -1]) cube([12, 12, 11]); }",
+     {40, 30, 20}, {5, 5, 5}, 0, ""},
+    {"difference() { cube(10); rotate([0.001, 0, 0]) translate([-1, -1, -1]) cube([12, 12, 11]); }",
+     {40, 30, 20}, {5, 5, 10}, 1, "radians"},
 };
 
 static struct csgcast_scene *parse(const char *text)
