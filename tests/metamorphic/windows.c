@@ -70,9 +70,9 @@ static void put_stretch(struct text *text, const double f[3], double s)
 }
 
 /* Distances are s times as large; normals go by the inverse, transposed. */
-static void undo_stretch(struct picture *picture, const double f[3], double s)
+static void undo_stretch(struct picture *picture, int num, const double f[3], double s)
 {
-    for (int i = 0; i < picture->width * picture->height; i++) {
+    for (int i = 0; i < num; i++) {
         float *n = picture->normal + 3 * i;
         double m[3], along = 0, length = 0;
         picture->z[i] /= (float)s;
@@ -106,7 +106,7 @@ static bool check_stretch(struct run *run, const struct csgcast_scene *scene,
     view.camera.fov = 2 * atan(tan(0.5 * view.camera.fov / 57.29577951308232) / s) *
                       57.29577951308232;
     ok = ok && picture_render(run->renderer, stretched, &view, &run->second);
-    undo_stretch(&run->second, frustum.forward, s);
+    undo_stretch(&run->second, run->size * run->size, frustum.forward, s);
     ok = ok && judge(run, full, run->size, false);
     if (!ok)
         save(full, "stretched", &text);
