@@ -9,11 +9,27 @@ uniform vec2 csg_at;     /* the reference pixel */
 
 layout(location = 0) out uvec2 csg_visible;
 
+#ifdef CSG_IS_BALL
+/* The crossings of a ball, by those operations of csg_quadric that are not idle for it. */
+vec2 csg_ball(vec2 d)
+{
+    vec4 t0 = csg_handed[0], t1 = csg_handed[1], t2 = csg_handed[2];
+    float x = t1.x + (t1.y * d.x + t1.z * d.y);
+    float y = t2.x + (t1.y * d.y - t1.z * d.x);
+    float h = (t1.w + y * (y * t2.w)) - x * x;
+    float m = t0.x + (t0.y * d.x + t0.z * d.y), root = sqrt(max(h, 0.0));
+    return vec2(m - root, m + root);
+}
+#endif
+
 void main()
 {
     vec2 d = gl_FragCoord.xy + csg_window - csg_at;
-    csg_span span = csg_whole_ray();
     int normal = csg_normals;
+#ifdef CSG_IS_BALL
+    vec2 key = csg_ball(d);
+#else
+    csg_span span = csg_whole_ray();
     for (int i = 0; i < CSG_NUM_PLANES; i++)
         csg_clip_plane(csg_handed[CSG_NUM_TEXELS - CSG_NUM_PLANES + i], d, i, span);
 #ifdef CSG_HAS_QUADRIC
@@ -22,8 +38,10 @@ void main()
 #else
     normal += span.face.x;
 #endif
-    if (!(span.key.x < span.key.y) || span.key.x >= csg_screen_key.z)
+    vec2 key = span.key;
+#endif
+    if (!(key.x < key.y) || key.x >= csg_screen_key.z)
         discard;
-    csg_visible = uvec2(floatBitsToUint(span.key.x), uint(normal + 1));
-    gl_FragDepth = csg_depth(span.key.x);
+    csg_visible = uvec2(floatBitsToUint(key.x), uint(normal + 1));
+    gl_FragDepth = csg_depth(key.x);
 }

@@ -12,6 +12,9 @@
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
 
+/* Fewer are drawn sooner than compared. */
+enum { MIN_OCCLUDERS = 64 };
+
 enum { NUM_BINS = 256, NUM_BANDS = 16 };
 
 /* How far apart two keys of this size must be for the nearer one to win in the depth buffer. */
@@ -171,7 +174,7 @@ bool csg_occlusion_draw(struct csg_cull *cull)
         return true;
     if (!list_occluders(cull))
         return false;
-    if (!cull->num_occluders)
+    if (cull->num_occluders < MIN_OCCLUDERS)
         return true;
     cull->keys =
         malloc((size_t)cull->screen->width * (size_t)cull->screen->height * sizeof *cull->keys);

@@ -13,6 +13,7 @@
  * the data texture.
  */
 struct csg_crowd_run {
+    bool ball; /* the terms are csg_screen_ball's */
     bool has_quadric;
     uint32_t num_planes;
     size_t first, stride; /* in floats */

@@ -305,7 +305,7 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
         if (run->num == 0)
             continue;
         const GLuint program = csg_programs_get(
-            &renderer->programs, csg_source_single(run->has_quadric, run->num_planes));
+            &renderer->programs, csg_source_single(run));
         const struct csg_batch batch = {.program = program,
                                         .layer = CSG_LAYER_MODEL,
                                         .paint = CSG_LAYER_MODEL,
@@ -400,8 +400,12 @@ static bool prepare_single(struct chooser *chooser, uint32_t object,
         seen[shape->has_quadric][shape->num_planes])
         return true;
     seen[shape->has_quadric][shape->num_planes] = true;
-    return csg_programs_get(&chooser->renderer->programs,
-                            csg_source_single(shape->has_quadric, (uint32_t)shape->num_planes)) &&
+    const struct csg_crowd_run run = {.has_quadric = shape->has_quadric,
+                                      .num_planes = (uint32_t)shape->num_planes};
+    struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
+    ball.ball = run.has_quadric && run.num_planes == 0;
+    return csg_programs_get(&chooser->renderer->programs, csg_source_single(&run)) &&
+           csg_programs_get(&chooser->renderer->programs, csg_source_single(&ball)) &&
            (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
             choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
 }

@@ -192,23 +192,25 @@ struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain)
     return finish_geometry(&vertex, &fragment);
 }
 
-struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes)
+struct csg_stages csg_source_single(const struct csg_crowd_run *run)
 {
     struct csg_text vertex = {0}, fragment = {0}, *texts[2] = {&vertex, &fragment};
     for (int i = 0; i < 2; i++) {
         add_preamble(texts[i], 0);
-        csg_text_add(texts[i], "#define CSG_NUM_PLANES %u\n#define CSG_NUM_TEXELS %u\n", num_planes,
-                     num_planes + (has_quadric ? 3 : 0));
+        csg_text_add(texts[i], "#define CSG_NUM_PLANES %u\n#define CSG_NUM_TEXELS %u\n", run->num_planes,
+                     run->num_planes + (run->has_quadric ? 3 : 0));
     }
-    if (has_quadric)
+    if (run->has_quadric)
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
+    if (run->ball)
+        csg_text_add(&fragment, "#define CSG_IS_BALL\n");
     add_file(&vertex, "passes/single.vert.glsl");
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/real.glsl");
     add_file(&fragment, "common/screen.glsl");
     add_file(&fragment, "solids/span.glsl");
     add_file(&fragment, "solids/planes.glsl");
-    if (has_quadric)
+    if (run->has_quadric)
         add_file(&fragment, "solids/quadric.glsl");
     add_file(&fragment, "passes/single.frag.glsl");
     return finish_stages(&vertex, &fragment);

@@ -4,6 +4,7 @@
 
 /* Shader texts, put together from shaders/ and from what the objects at hand need. */
 
+#include "crowd/run.h"
 #include "csg/program.h"
 
 /* How an object's first visible point is found; docs/pipeline.md compares them. */
@@ -90,7 +91,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed);
 
 /* One-solid programs for crowds, see crowd/run.h. */
-struct csg_stages csg_source_single(bool has_quadric, uint32_t num_planes);
+struct csg_stages csg_source_single(const struct csg_crowd_run *run);
 
 /* The same for a chain. */
 struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain);
