@@ -82,6 +82,8 @@ static void put_name(struct writer *writer)
         put_text(writer, "(0/0)");
     else if (csg_token_is_name(token, "inf"))
         put_text(writer, "(1/0)");
+    else if (writer->parentheses > 0 && csg_token_is_name(token, "timestamp"))
+        put_text(writer, "$timestamp"); /* written by OpenSCAD, but no parameter to it */
     else
         put(writer, token->begin, token->length);
 }
