@@ -30,6 +30,8 @@ static const struct {
     {"top, orthographic", {20, 10, 120}, CSGCAST_ORTHOGRAPHIC},
 };
 
+static const double default_fov = 22.5; /* degrees, as csgcast_camera's 0 */
+
 /* Facets of a pentagon deviate by 36 degrees from the circle's normal. */
 static const double same_surface_cosine = 0.7;
 
@@ -230,10 +232,32 @@ static bool judge_written(struct run *run, const struct csgcast_view *view,
     return ok;
 }
 
+/* The same camera without a scene to look at: with and without facets a scene may have other
+ * bounds. */
+static struct csgcast_camera fixed_camera(const struct csgcast_camera *asked,
+                                          const struct csgcast_frustum *frustum)
+{
+    struct csgcast_camera camera = *asked;
+    const double fov = asked->fov > 0 ? asked->fov : default_fov;
+    const double half = 0.5 * fov * 3.14159265358979323846 / 180;
+    camera.viewall = camera.autocenter = false;
+    camera.distance = frustum->orthographic ? frustum->half_height / tan(half) : 1;
+    if (asked->kind == CSGCAST_CAMERA_DEFAULT) {
+        camera.kind = CSGCAST_CAMERA_GIMBAL;
+        memcpy(camera.rotate, default_views[0].rotate, sizeof camera.rotate);
+    }
+    for (int i = 0; i < 3; i++) {
+        camera.eye[i] = frustum->eye[i];
+        camera.center[i] = frustum->eye[i] + camera.distance * frustum->forward[i];
+        camera.translate[i] = camera.center[i];
+    }
+    return camera;
+}
+
 static bool compare_view(struct run *run, int number)
 {
     struct csg_compared_view *compared = &run->compared.views[number];
-    const struct csgcast_view asked = view_of(run, number, &compared->label);
+    struct csgcast_view asked = view_of(run, number, &compared->label);
     const size_t num = (size_t)asked.width * (size_t)asked.height;
     const struct csg_compare_tolerance tolerance = {
         .depth = depth_tolerance,
@@ -248,6 +272,9 @@ static bool compare_view(struct run *run, int number)
         return csg_log_memory(&run->log);
     const struct csgcast_image image = {
         .z = compared->z, .normal = compared->normal, .id = compared->id};
+    if (!csgcast_view_resolve(run->scene, &asked, &frustum))
+        return false;
+    asked.camera = fixed_camera(&asked.camera, &frustum);
     if (!csgcast_view_resolve(run->scene, &asked, &frustum) ||
         !csgcast_render(run->renderer, run->scene, &asked, &image))
         return false;

@@ -48,6 +48,16 @@ static double rounding_of(const struct csg_part *part)
     return rounding;
 }
 
+/* What is made of facetted solids is no further off than the worst of them. */
+static void set_sagitta(struct csg_part *part, size_t first, const struct csg_part *from)
+{
+    double largest = 0;
+    for (size_t i = 0; i < from->shapes.num; i++)
+        largest = fmax(largest, from->shapes.data[i].sagitta);
+    for (size_t i = first; i < part->shapes.num; i++)
+        part->shapes.data[i].sagitta = part->shapes.data[i].has_quadric ? largest : 0;
+}
+
 /* ---- hull --------------------------------------------------------------------------------- */
 
 static bool is_simple(const struct csg_walk *walk, uint32_t node)
@@ -111,9 +121,11 @@ bool csg_rounded_hull(struct csg_walk *walk, uint32_t node, bool in_boolean, str
     bool ok =
         csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, true, &inner);
     if (ok) {
+        const size_t first = part->shapes.num;
         enum csg_hull_result result = collect(&inner, &balls, taken);
         if (result == CSG_HULL_DONE && *taken)
             result = add_hull(&balls, rounding_of(&inner), part, taken);
+        set_sagitta(part, first, &inner);
         ok = finish(walk, result, taken);
     }
     free(balls.list.data);
@@ -215,9 +227,11 @@ static enum csg_hull_result add_sum(const struct csg_part *sphere, const struct 
     }
     if (has_quadrics(other) || other->is_too_large)
         return CSG_HULL_DONE;
+    const size_t first = part->shapes.num;
     enum csg_hull_result result = csg_part_evaluate(other, &clusters);
     if (result == CSG_HULL_DONE)
         result = add_sums(&clusters, &ball, rounding_of(sphere) + rounding_of(other), part, taken);
+    set_sagitta(part, first, sphere);
     csg_clusters_finish(&clusters);
     return result;
 }

@@ -30,6 +30,7 @@ small=("--imgsize=64,48")
 echo 'cube(10);' >cube.csg
 echo 'sphere(r = 10, $fn = 24);' >ball.scad
 echo 'ellipsoid(r = [3, 2, 1]);' >ellipsoid.csg
+echo 'hull() { sphere(4, $fn = 24); translate([10, 0, 0]) sphere(2, $fn = 24); }' >hull.scad
 stl 10 >cube.stl
 stl 10.1 >larger.stl
 head -n 20 cube.stl >half.stl
@@ -61,7 +62,7 @@ expect 1 "beyond a depth" compare cube.csg --mesh=larger.stl "${small[@]}" --no-
 prints "BEYOND --max-depth-p99"
 expect 1 "beyond an IoU" compare cube.csg --mesh=larger.stl "${small[@]}" --no-picture \
     --max-wrong=1 --min-iou=1
-holds_only cube.csg ball.scad ellipsoid.csg cube.stl larger.stl half.stl cube.obj
+holds_only cube.csg ball.scad hull.scad ellipsoid.csg cube.stl larger.stl half.stl cube.obj
 
 # What openscad makes, and its facets.
 expect 0 "openscad's mesh" compare ball.scad "${small[@]}"
@@ -72,6 +73,8 @@ expect 1 "facets are far off an exact ball" compare ball.scad "${small[@]}" --no
     --max-depth-p99=0.001
 expect 0 "but not off themselves" compare ball.scad "${small[@]}" --no-picture \
     --facets=as-written --max-depth-p99=0.001 --min-iou=1
+expect 0 "exact and facetted scenes with other bounds" compare hull.scad "${small[@]}" --no-picture
+prints "wrong           0 pixels, 0 of the mesh's"
 expect 2 "openscad lacks the node" compare ellipsoid.csg "${small[@]}"
 says "--mesh=FILE"
 expect 2 "no time for openscad" compare ball.scad "${small[@]}" --limit=0.001
@@ -117,6 +120,6 @@ for option in --min-iou=2 --min-iou=x --max-wrong=-1 --sagitta=-1 --sagitta=nan 
     --max-normal-p99=200; do
     expect 2 "$option" compare cube.csg --mesh=cube.stl $option
 done
-holds_only cube.csg ball.scad ellipsoid.csg cube.stl larger.stl half.stl cube.obj
+holds_only cube.csg ball.scad hull.scad ellipsoid.csg cube.stl larger.stl half.stl cube.obj
 
 finish
