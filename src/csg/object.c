@@ -6,7 +6,7 @@
 
 struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
 {
-    return leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+    return leaf->box;
 }
 
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,

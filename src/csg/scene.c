@@ -175,8 +175,19 @@ static bool build_surfaces(struct csgcast_scene *scene)
     return true;
 }
 
+/* Everything that follows asks for them, again and again. */
+static void fill_leaf_boxes(struct csgcast_scene *scene)
+{
+    for (size_t i = 0; i < scene->num_leaves; i++) {
+        struct csg_leaf *leaf = &scene->leaves[i];
+        leaf->box = leaf->is_empty ? csg_box_empty
+                                   : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+    }
+}
+
 static bool finish(struct csgcast_scene *scene)
 {
+    fill_leaf_boxes(scene);
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
     bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
