@@ -23,7 +23,7 @@ struct chooser {
     struct known straight[MAX_STRAIGHT_PROGRAMS];
     size_t num_straight;
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
-    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS]; /* by features */
+    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
     GLuint cpu;                 /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
     bool tiles_prepared;

@@ -29,7 +29,8 @@ struct csg_source *csg_source_create(char *text, size_t size,
     source->params.defines = NULL;
     source->params.num_defines = 0;
     const bool named = copy_string(params->name, &source->name, &source->params.name);
-    const bool placed = copy_string(params->directory, &source->directory, &source->params.directory);
+    const bool placed =
+        copy_string(params->directory, &source->directory, &source->params.directory);
     const bool run = copy_string(params->openscad, &source->openscad, &source->params.openscad);
     const bool cached = copy_string(params->cache, &source->cache, &source->params.cache);
     if (named && placed && run && cached)

@@ -89,11 +89,12 @@ static void cut_cells(const struct csg_tile_area *area, int across, int down, st
 {
     for (int i = 0; i < across * down; i++) {
         const int x = i % across, y = i / across;
-        cells[i].area = (struct csg_tile_area){
-            .lo = {edge(area->lo[0], area->hi[0], x, across), edge(area->lo[1], area->hi[1], y, down)},
-            .hi = {edge(area->lo[0], area->hi[0], x + 1, across),
-                   edge(area->lo[1], area->hi[1], y + 1, down)},
-            .max_texels = area->max_texels / (size_t)(across * down)};
+        cells[i].area =
+            (struct csg_tile_area){.lo = {edge(area->lo[0], area->hi[0], x, across),
+                                          edge(area->lo[1], area->hi[1], y, down)},
+                                   .hi = {edge(area->lo[0], area->hi[0], x + 1, across),
+                                          edge(area->lo[1], area->hi[1], y + 1, down)},
+                                   .max_texels = area->max_texels / (size_t)(across * down)};
     }
 }
 

@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-/* Operands of a node from which on it is worth looking, and solids that others are compared with. */
+/* Operands of a node from which on it is worth looking, and solids that others are compared with.
+ */
 #define MIN_OPERANDS 12
 #define MAX_DOMINATORS 4
 
@@ -26,21 +27,24 @@ struct pair {
     bool touches;
 };
 
-/* Whether some plane of inner, of places [begin, end), lies behind the outer one; sign -1: before. */
+/* Whether some plane of inner, of places [begin, end), lies behind the outer one; sign -1: before.
+ */
 static bool has_plane(struct pair *pair, size_t outer, size_t begin, size_t end, bool before)
 {
     const double *a = csg_terms_texel(pair->terms, pair->outer, outer);
     int best = CROSSES;
     for (size_t i = begin; i < end && best != BEHIND; i++) {
         const double *b = csg_terms_texel(pair->terms, pair->inner, i);
-        const int order = before ? compare_planes(b, a, pair->tile) : compare_planes(a, b, pair->tile);
+        const int order =
+            before ? compare_planes(b, a, pair->tile) : compare_planes(a, b, pair->tile);
         best = order > best ? order : best;
     }
     pair->touches |= best == EQUAL_SOMEWHERE;
     return best != CROSSES;
 }
 
-/* The quadric of both, if the outer one has any, must be the same: equal carriers have equal terms. */
+/* The quadric of both, if the outer one has any, must be the same: equal carriers have equal terms.
+ */
 static bool same_quadric(const struct pair *pair)
 {
     const struct csg_leaf_terms *outer = pair->outer, *inner = pair->inner;

@@ -3,10 +3,10 @@
 #define CSG_TILE_DOMINATE_H
 
 /*
- * Solids inside of solids. Ranges tell two slanted faces apart only where they are further from each
- * other than the tile is deep; here faces are compared pixel by pixel, as the affine terms they
- * are. Of a union, what is inside another operand everywhere in the tile does not matter; of an
- * intersection, what holds another one.
+ * Solids inside of solids. Ranges tell two slanted faces apart only where they are further from
+ * each other than the tile is deep; here faces are compared pixel by pixel, as the affine terms
+ * they are. Of a union, what is inside another operand everywhere in the tile does not matter; of
+ * an intersection, what holds another one.
  */
 
 #include "csg/tree.h"

@@ -19,7 +19,8 @@ struct csg_scan {
     CSG_ARRAY(struct csg_scan_operand {
         double start;
         uint32_t node;
-    }) operands;
+    })
+    operands;
 };
 
 void csg_scan_finish(struct csg_scan *scan);

@@ -215,8 +215,10 @@ static void check_batch(struct bench *bench)
 /* A solid that goes and comes back keeps its index; nothing of it shows meanwhile. */
 static void check_empty(struct bench *bench)
 {
-    static const char text[] = "difference() { cube(10); sphere(4); }\ntranslate([20,0,0]) cube(3);";
-    static const char without[] = "difference() { cube(10); sphere(0); }\ntranslate([20,0,0]) cube(3);";
+    static const char text[] =
+        "difference() { cube(10); sphere(4); }\ntranslate([20,0,0]) cube(3);";
+    static const char without[] =
+        "difference() { cube(10); sphere(0); }\ntranslate([20,0,0]) cube(3);";
     struct csgcast_leaf leaf;
     struct csgcast_scene *scene = parse(text, true), *fresh = parse(without, false);
     const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
@@ -291,9 +293,11 @@ static void check_same(struct bench *bench)
 {
     static const char text[] =
         "difference() {\n"
-        " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])\n"
+        " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])"
+        "\n"
         "  cube(10);\n"
-        " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])\n"
+        " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])"
+        "\n"
         "  multmatrix([[1,0,0,3.33333],[0,1,0,3.33333],[0,0,1,5],[0,0,0,1]]) cube([3,3,5]);\n}";
     struct csgcast_scene *scene = parse(text, false), *fresh = parse(text, false);
     struct csgcast_leaf leaf;
