@@ -16,8 +16,8 @@
 /* Planes that are tried for a cut. */
 enum { max_candidates = 12 };
 
-/* Testing whether a polyhedron is convex takes faces times corners; larger ones are refused. */
-#define MAX_CONVEX_TESTS 4e9
+/* Testing whether a polyhedron is convex takes faces times corners; larger ones are not tried. */
+#define MAX_CONVEX_TESTS 2e8
 
 /* Give up when the faces are in so many pieces. */
 enum { max_fragments = 400000 };
@@ -258,14 +258,20 @@ static bool cut_all(struct bsp *bsp)
     return ok;
 }
 
-enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_part *part)
+enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_faces, size_t max_planes,
+                                        struct csg_part *part)
 {
     const double near = ON_PLANE * mesh->size + 2 * mesh->rounding;
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = mesh->rounding};
     bool out_of_memory = false;
     if ((double)mesh->faces.num * (double)mesh->corners.num > MAX_CONVEX_TESTS)
         return CSG_MESH_TOO_LARGE;
-    if (fill_convex(mesh, near, &shape, &out_of_memory) && shape.num_planes >= 4)
+    const bool is_convex = fill_convex(mesh, near, &shape, &out_of_memory);
+    if (is_convex && shape.num_planes > max_planes) {
+        csg_shape_finish(&shape);
+        return CSG_MESH_TOO_LARGE;
+    }
+    if (is_convex && shape.num_planes >= 4)
         return csg_part_add(part, &shape, false) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
     const bool is_flat = shape.convex;
     csg_shape_finish(&shape);
@@ -273,8 +279,15 @@ enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_
         return CSG_MESH_NO_MEMORY;
     if (is_flat)
         return CSG_MESH_DONE;
-    if (mesh->faces.num > CSG_MESH_MAX_FACES)
+    if (mesh->faces.num > max_faces)
         return CSG_MESH_TOO_LARGE;
-    struct bsp bsp = {.mesh = mesh, .part = part, .near = near};
-    return cut_all(&bsp) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
+    struct csg_part cells = {0};
+    struct bsp bsp = {.mesh = mesh, .part = &cells, .near = near};
+    enum csg_mesh_result result = cut_all(&bsp) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
+    if (result == CSG_MESH_DONE && cells.is_too_large)
+        result = CSG_MESH_TOO_LARGE;
+    else if (result == CSG_MESH_DONE && !csg_part_append(part, &cells, false))
+        result = CSG_MESH_NO_MEMORY;
+    csg_part_finish(&cells);
+    return result;
 }

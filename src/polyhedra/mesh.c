@@ -65,52 +65,81 @@ bool csg_mesh_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *fac
 
 /* ---- cleaning ----------------------------------------------------------------------------- */
 
-struct sorted_point {
-    struct csg_vec3 p;
-    uint32_t index;
+/* Points met so far, by the cell of a grid that they are in; linear probing. */
+struct places {
+    const struct csg_vec3 *points;
+    uint32_t *slots; /* points; UINT32_MAX where there is none */
+    size_t mask;
+    double near, cell;
 };
 
-static int compare_points(const void *a, const void *b)
+static size_t slot_of(const struct places *places, const double cell[3])
 {
-    const struct sorted_point *x = a, *y = b;
-    if (x->p.x != y->p.x)
-        return x->p.x < y->p.x ? -1 : 1;
-    return x->index < y->index ? -1 : x->index > y->index;
+    uint64_t hash = 0;
+    for (int i = 0; i < 3; i++) {
+        hash = (hash ^ (uint64_t)(int64_t)cell[i]) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return (size_t)hash & places->mask;
 }
 
-/* to[i]: the first point at the place of point i. */
-static void find_same(const struct csg_mesh *mesh, const struct sorted_point *sorted, uint32_t *to)
+/* A point of the cell near p; *slot is where the search ended. */
+static uint32_t find_in_cell(const struct places *places, struct csg_vec3 p, const double cell[3],
+                             size_t *slot)
 {
-    const double near = SAME_POINT * mesh->size;
-    const size_t num = mesh->points.num;
-    for (size_t i = 0; i < num; i++)
-        to[i] = UINT32_MAX;
-    for (size_t i = 0; i < num; i++) {
-        if (to[sorted[i].index] != UINT32_MAX)
-            continue;
-        to[sorted[i].index] = sorted[i].index;
-        for (size_t j = i + 1; j < num && sorted[j].p.x - sorted[i].p.x <= near; j++)
-            if (to[sorted[j].index] == UINT32_MAX &&
-                csg_length(csg_sub(sorted[j].p, sorted[i].p)) <= near)
-                to[sorted[j].index] = sorted[i].index;
+    for (*slot = slot_of(places, cell); places->slots[*slot] != UINT32_MAX;
+         *slot = (*slot + 1) & places->mask) {
+        const uint32_t point = places->slots[*slot];
+        if (csg_length(csg_sub(places->points[point], p)) <= places->near)
+            return point;
     }
+    return UINT32_MAX;
+}
+
+/* The first point near p, or p's own number, which is then kept. Near points may be in the next
+ * cell where p is close to its walls. */
+static uint32_t find_place(struct places *places, uint32_t i)
+{
+    const struct csg_vec3 p = places->points[i];
+    const double near = places->near, size = places->cell;
+    const double own[3] = {floor(p.x / size), floor(p.y / size), floor(p.z / size)};
+    size_t slot;
+    for (int corner = 0; corner < 8; corner++) {
+        const double x = p.x + (corner & 1 ? near : -near), y = p.y + (corner & 2 ? near : -near);
+        const double z = p.z + (corner & 4 ? near : -near);
+        const double cell[3] = {floor(x / size), floor(y / size), floor(z / size)};
+        const bool is_own = cell[0] == own[0] && cell[1] == own[1] && cell[2] == own[2];
+        if (is_own && corner > 0)
+            continue;
+        const uint32_t found = find_in_cell(places, p, cell, &slot);
+        if (found != UINT32_MAX)
+            return found;
+    }
+    const uint32_t found = find_in_cell(places, p, own, &slot);
+    if (found == UINT32_MAX)
+        places->slots[slot] = i;
+    return found == UINT32_MAX ? i : found;
 }
 
 static bool join_points(struct csg_mesh *mesh)
 {
     const size_t num = mesh->points.num;
-    struct sorted_point *sorted = malloc((num + 1) * sizeof *sorted);
+    struct places places = {.points = mesh->points.data, .near = SAME_POINT * mesh->size};
+    size_t room = 16;
+    while (room < 2 * num)
+        room *= 2;
+    places.mask = room - 1;
+    places.cell = places.near > 0 ? 8 * places.near : 1;
+    places.slots = malloc(room * sizeof *places.slots);
     uint32_t *to = malloc((num + 1) * sizeof *to);
-    const bool ok = sorted && to;
+    const bool ok = places.slots && to;
+    for (size_t i = 0; i < room && ok; i++)
+        places.slots[i] = UINT32_MAX;
     for (size_t i = 0; i < num && ok; i++)
-        sorted[i] = (struct sorted_point){mesh->points.data[i], (uint32_t)i};
-    if (ok && num) {
-        qsort(sorted, num, sizeof *sorted, compare_points);
-        find_same(mesh, sorted, to);
-        for (size_t i = 0; i < mesh->corners.num; i++)
-            mesh->corners.data[i] = to[mesh->corners.data[i]];
-    }
-    free(sorted);
+        to[i] = find_place(&places, (uint32_t)i);
+    for (size_t i = 0; i < mesh->corners.num && ok; i++)
+        mesh->corners.data[i] = to[mesh->corners.data[i]];
+    free(places.slots);
     free(to);
     return ok;
 }

@@ -51,15 +51,14 @@ double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);
 
 enum csg_mesh_result {
     CSG_MESH_DONE,
-    CSG_MESH_TOO_LARGE, /* too many faces */
+    CSG_MESH_TOO_LARGE, /* too many faces, planes or convex pieces */
     CSG_MESH_NO_MEMORY,
 };
 
-/* More faces than that are only taken where the polyhedron is convex. */
-#define CSG_MESH_MAX_FACES 2000
-
-/* Adds the union of convex solids that the mesh is. A flat mesh adds nothing. */
-enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, struct csg_part *part);
+/* Adds the union of convex solids that the mesh is, or itself where it is convex. max_faces: of a
+ * mesh that is not; max_planes: of one that is. A flat mesh adds nothing. */
+enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_faces,
+                                        size_t max_planes, struct csg_part *part);
 
 /* The mesh as one shape bounded by its faces (mesh/surface.h). false: out of memory. */
 bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape *shape);

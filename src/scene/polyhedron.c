@@ -7,6 +7,11 @@
 #include "polyhedra/mesh.h"
 #include "scene/compounds.h"
 
+/* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and from
+ * so many planes of a convex one (measured, docs/pipeline.md). Hulls and Minkowski sums are made of
+ * convex solids. */
+enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
+
 static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
 {
     const struct csg_value *points = csg_args_find(args, "points");
@@ -87,7 +92,9 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
         return csg_log_memory(&walk->builder->report->log);
     if (gaps.num)
         warn_of_gaps(walk, node, mesh, &gaps);
-    result = csg_mesh_decompose(mesh, part);
+    const bool is_inner = walk->depth > 0;
+    result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
+                                is_inner ? SIZE_MAX : max_planes, part);
     if (result == CSG_MESH_TOO_LARGE)
         result = add_surface(mesh, gaps.num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
     return result == CSG_MESH_DONE || csg_log_memory(&walk->builder->report->log);
