@@ -46,6 +46,7 @@ static const struct count_row count_rows[] = {
     {"max_crossings", "crossings at most", offsetof(struct csgcast_scene_info, max_crossings)},
     COUNT(exact, "exact"),
     COUNT(facetted, "facetted"),
+    COUNT(triangles, "triangles"),
     COUNT(handed_off, "by openscad"),
     COUNT(highlighted, "highlighted (#)"),
     COUNT(background, "background (%)"),

@@ -74,6 +74,14 @@ static void fill_written(struct csgcast_scene *scene)
     }
 }
 
+/* A line meets each triangle of a surface once. */
+static size_t leaf_crossings(const struct csg_shape *shape)
+{
+    if (shape->surface)
+        return shape->surface->triangles.num;
+    return shape->has_quadric && !shape->convex ? 4 : 2;
+}
+
 static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
 {
     size_t counts[CSG_NUM_LEAF_KINDS] = {0};
@@ -94,7 +102,9 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
             info->num_facetted += leaf->shape.facetted;
             info->num_exact += leaf->shape.has_quadric;
             info->sagitta = fmax(info->sagitta, leaf->shape.sagitta);
-            info->max_crossings += leaf->shape.has_quadric && !leaf->shape.convex ? 4 : 2;
+            info->num_triangles +=
+                leaf->shape.surface ? leaf->shape.surface->triangles.num : 0;
+            info->max_crossings += leaf_crossings(&leaf->shape);
         }
     }
     for (size_t kind = 0; kind < CSG_NUM_LEAF_KINDS; kind++)

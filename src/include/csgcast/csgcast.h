@@ -162,6 +162,7 @@ struct csgcast_scene_info {
     size_t max_crossings;   /* most boundary crossings that one ray can have */
     size_t num_kinds;       /* entries in kinds */
     const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
+    size_t num_triangles;   /* of the leaves that are surfaces of triangles */
     size_t num_handed_off;  /* nodes that openscad has evaluated */
     size_t num_ways;        /* entries in ways */
     const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
