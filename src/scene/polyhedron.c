@@ -8,7 +8,7 @@
 #include "scene/compounds.h"
 
 /* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and from
- * so many planes of a convex one (measured, docs/pipeline.md). Hulls and Minkowski sums are made of
+ * so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are made of
  * convex solids. */
 enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
 
