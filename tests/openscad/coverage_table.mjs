@@ -2,7 +2,7 @@
 //
 // The tables of coverage.mjs: a CSV with every figure, a Markdown page with the sums.
 
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -57,9 +57,10 @@ ${without("random")} |
 | of these without OpenSCAD's kernel | ${native.length} \
 (${percent(native.length, meshed.length)}) |
 | agree with the mesh | ${agreeing.length} of ${compared.length} |
-| drawn without the kernel: first picture sooner than OpenSCAD's preview | ${sooner.length} of \
-${timed.length}; time of OpenSCAD / csgcast ${round(ratio, 3)} at the median |
-`;
+${timed.length === 0 ? "" : `| drawn without the kernel: first picture sooner than OpenSCAD's \
+preview | ${sooner.length} of ${timed.length}; time of OpenSCAD / csgcast ${round(ratio, 3)} at the \
+median |
+`}`;
 }
 
 const fileColumns = ["file", "mesh_s", "draw", "leaves", "kernel", "agree", "off", "depth",
@@ -86,8 +87,8 @@ function reasons(rows) {
 }
 
 function page(rows, options) {
-    const version = execFileSync("openscad", ["--version"], { stdio: ["ignore", "pipe", "pipe"] })
-        .toString().trim();
+    const said = spawnSync("openscad", ["--version"], { encoding: "utf8" });
+    const version = `${said.stdout ?? ""}${said.stderr ?? ""}`.trim();
     const projects = [...new Set(rows.map((row) => row.project))];
     return `# ${options.title}
 
