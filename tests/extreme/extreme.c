@@ -24,7 +24,7 @@
 #define QUANTILE 0.999
 
 /* One ray in each variant, which in a small run is more than that share. */
-#define FEW_RAYS 4
+#define FEW_RAYS 6
 
 /* Where solids touch in a point or line, what is left there can be too small for any pixel to tell
  * that it is near a silhouette. */

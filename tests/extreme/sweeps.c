@@ -346,7 +346,7 @@ const struct sweep sweeps[] = {
     {"along", "turned by", VALUES(offsets), 2 * NUM_KINDS, false, make_along},
     {"eigenvalues", "ratio", VALUES(ratios), 28, false, make_eigen},
     {"shell", "thickness / size", VALUES(shells), 2 * NUM_KINDS, false, make_shell},
-    {"tangent", "gap", VALUES(gaps), 8, false, make_tangent},
+    {"tangent", "gap", VALUES(gaps), 8, true, make_tangent},
     {"eye", "height over a face", VALUES(nears), 2 * NUM_KINDS, false, make_eye},
     {"surface", "half field of view", VALUES(turns), NUM_KINDS, false, make_surface},
     {"wedge", "radians", VALUES(wedges), 2 * NUM_KINDS, false, make_wedge},
