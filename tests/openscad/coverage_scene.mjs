@@ -123,7 +123,9 @@ async function draw(scene, stem, options) {
         };
     const info = await run(options.csgcast, ["info", scene.file, "--json", "--no-gl", "-q",
         "--render"], limits);
-    const counts = info.status === 0 ? JSON.parse(info.out) : {};
+    if (info.status !== 0)
+        return { result: "error", reason: `csgcast info: ${firstError(info.err)}` };
+    const counts = JSON.parse(info.out);
     return {
         result: "ok", leaves: counts.leaves, exact: counts.exact, facetted: counts.facetted,
         kernel: counts.handed_off ?? 0, reasons: [...new Set((counts.ways ?? [])
