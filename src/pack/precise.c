@@ -101,11 +101,14 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
     for (size_t j = 0; j < frame->listed.num; j++) {
         const uint32_t i = frame->listed.data[j];
         struct csg_precision *precision = &frame->precisions.data[i];
-        *precision = (struct csg_precision){
-            .precise = params->precise, .reason = CSG_REASON_ASKED};
-        if (!params->precise && !params->textbook &&
+        *precision = (struct csg_precision){.precise = false};
+        if (!params->textbook &&
             (params->has_double || scene->objects->data[i].layer == CSG_LAYER_MODEL))
             *precision = csg_precision_of(&frame->screen, scene, i, focus);
+        if (params->precise) {
+            precision->precise = true;
+            precision->reason = CSG_REASON_ASKED;
+        }
         num_precise += precision->precise;
     }
     return num_precise == 0 || num_precise == frame->listed.num || spread_to_sharers(frame, scene);
