@@ -25,6 +25,7 @@ static bool has_extension(const char *path, const char *extension)
 static void free_image(struct csgcast_image *image)
 {
     free(image->rgba);
+    free(image->rgba8);
     free(image->z);
     free(image->normal);
     free(image->id);
@@ -38,12 +39,22 @@ static bool allocate_channel(float **channel, bool wanted, size_t num)
     return *channel || !wanted;
 }
 
+/* Whether the file is sure to hold 8 bits a channel: these are cheaper to draw than floats. */
+static bool holds_bytes(const char *output, const struct csgcast_write_params *write)
+{
+    const bool aov = write->write_z || write->write_normal || write->write_id;
+    const bool png = write->format ? !strcmp(write->format, "png")
+                                   : !strcmp(output, "-") || has_extension(output, ".png");
+    return !aov && (write->bits == 8 || (write->bits == 0 && png));
+}
+
+/* bytes: colours as bytes. */
 static bool allocate_image(struct csgcast_image *image, const struct csgcast_view *view,
-                           const struct csgcast_write_params *write)
+                           const struct csgcast_write_params *write, bool bytes)
 {
     const size_t num = (size_t)view->width * (size_t)view->height;
-    *image = (struct csgcast_image){0};
-    if (allocate_channel(&image->rgba, true, 4 * num) &&
+    *image = (struct csgcast_image){.rgba8 = bytes ? calloc(num, 4) : NULL};
+    if ((image->rgba8 || !bytes) && allocate_channel(&image->rgba, !bytes, 4 * num) &&
         allocate_channel(&image->z, write->write_z, num) &&
         allocate_channel(&image->normal, write->write_normal, 3 * num) &&
         allocate_channel(&image->id, write->write_id, num))
@@ -129,7 +140,8 @@ static enum csg_cli_exit render_scene(const struct csg_cli_options *options,
     view.width = view.width ? view.width : DEFAULT_SIZE;
     view.height = view.height ? view.height : DEFAULT_SIZE;
     if (!csgcast_view_resolve(scene, &view, &frustum) ||
-        !allocate_image(&image, &view, &options->write))
+        !allocate_image(&image, &view, &options->write,
+                        holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
     if (render_image(options, scene, &view, &image))
         result =

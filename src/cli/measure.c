@@ -179,9 +179,9 @@ static bool measure(struct run *run)
 {
     const size_t pixels = (size_t)run->view.width * (size_t)run->view.height;
     const size_t num = (size_t)run->result->num_frames;
-    run->image.rgba = malloc(4 * pixels * sizeof *run->image.rgba);
+    run->image.rgba8 = malloc(4 * pixels);
     run->frame_ms = calloc(4 * num, sizeof *run->frame_ms);
-    if (!run->image.rgba || !run->frame_ms) {
+    if (!run->image.rgba8 || !run->frame_ms) {
         csg_cli_error("out of memory for an image of %d x %d pixels", run->view.width,
                       run->view.height);
         return false;
@@ -210,7 +210,7 @@ bool csg_measure(const struct csg_cli_options *options, const char *input,
     const bool good = measure(&run);
     csgcast_renderer_destroy(run.renderer);
     csgcast_scene_destroy(run.scene);
-    free(run.image.rgba);
+    free(run.image.rgba8);
     free(run.frame_ms);
     return good;
 }

@@ -203,7 +203,7 @@ static bool check_arguments(const char *path, int width, int height,
     if ((params->write_z && !image->z) || (params->write_normal && !image->normal) ||
         (params->write_id && !image->id))
         return fail_argument(log, path, "a channel to be written has not been rendered");
-    if (!image->rgba && !has_aov(params))
+    if (!image->rgba && !image->rgba8 && !has_aov(params))
         return fail_argument(log, path, "there is no channel to write");
     for (size_t i = 0; i < params->num_metadata; i++)
         if (!params->metadata[i].name || !params->metadata[i].name[0] || !params->metadata[i].value)
@@ -262,12 +262,18 @@ static bool write_to(struct csg_destination *to, struct csg_image_file *file)
     return false;
 }
 
-bool csgcast_image_write(const char *path, int width, int height, const struct csgcast_image *image,
-                         const struct csgcast_write_params *params)
+/* What is written is float: the bytes of rgba8 come back from it as they were. */
+static float *expand_bytes(const uint8_t *bytes, size_t num)
 {
-    static const struct csgcast_write_params defaults;
-    params = params ? params : &defaults;
-    const struct csg_log log = {params->log, params->log_user};
+    float *values = malloc(num * sizeof *values);
+    for (size_t i = 0; values && i < num; i++)
+        values[i] = (float)bytes[i] / 255;
+    return values;
+}
+
+static bool write_image(const char *path, int width, int height, const struct csgcast_image *image,
+                        const struct csgcast_write_params *params, const struct csg_log *log)
+{
     char format[MAX_FORMAT];
     struct csg_image_channel channels[MAX_CHANNELS];
     struct csg_image_file file = {.format = format,
@@ -276,14 +282,31 @@ bool csgcast_image_write(const char *path, int width, int height, const struct c
                                   .channels = channels,
                                   .metadata = params->metadata,
                                   .num_metadata = params->num_metadata};
-    if (!check_arguments(path, width, height, image, params, &log) ||
-        !find_format(path, params, &log, format) ||
-        !find_bits(path, format, params, &log, &file.bits))
+    if (!find_format(path, params, log, format) ||
+        !find_bits(path, format, params, log, &file.bits))
         return false;
     file.num_channels =
         list_channels(image, (size_t)width * (size_t)height, format, params, channels);
-    struct csg_destination to = {.path = path, .log = &log};
+    struct csg_destination to = {.path = path, .log = log};
     const bool ok = write_to(&to, &file);
     csg_destination_close(&to);
+    return ok;
+}
+
+bool csgcast_image_write(const char *path, int width, int height, const struct csgcast_image *image,
+                         const struct csgcast_write_params *params)
+{
+    static const struct csgcast_write_params defaults;
+    params = params ? params : &defaults;
+    const struct csg_log log = {params->log, params->log_user};
+    if (!check_arguments(path, width, height, image, params, &log))
+        return false;
+    if (image->rgba || !image->rgba8)
+        return write_image(path, width, height, image, params, &log);
+    struct csgcast_image expanded = *image;
+    expanded.rgba = expand_bytes(image->rgba8, 4 * (size_t)width * (size_t)height);
+    const bool ok = expanded.rgba ? write_image(path, width, height, &expanded, params, &log)
+                                  : csg_log_memory(&log);
+    free(expanded.rgba);
     return ok;
 }

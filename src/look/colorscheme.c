@@ -74,3 +74,11 @@ double csg_light_factor(const struct csgcast_frustum *frustum, struct csg_vec3 n
     const double z = -(normal.x * f[0] + normal.y * f[1] + normal.z * f[2]);
     return CSG_LIGHT_AMBIENT + fabs(x * CSG_LIGHT_X + y * CSG_LIGHT_Y + z * CSG_LIGHT_Z);
 }
+
+void csg_color_bytes(uint8_t *bytes, const float *components, size_t num)
+{
+    for (size_t i = 0; i < num; i++) {
+        const float value = components[i];
+        bytes[i] = (uint8_t)(value > 0 ? (value < 1 ? value * 255 + 0.5f : 255) : 0);
+    }
+}

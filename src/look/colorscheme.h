@@ -35,6 +35,9 @@ void csg_face_color(const struct csg_colorscheme *scheme, const struct csg_leaf 
  */
 double csg_light_factor(const struct csgcast_frustum *frustum, struct csg_vec3 normal);
 
+/* num components of a colour as bytes; outside 0 to 1, NaN included, the nearest thing to it. */
+void csg_color_bytes(uint8_t *bytes, const float *components, size_t num);
+
 /* Direction of the light in eye space (x right, y up, z to the viewer), and the ambient part. */
 #define CSG_LIGHT_X (-0.57735026919)
 #define CSG_LIGHT_Y 0.57735026919

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "csg/membership.h"
@@ -74,7 +75,7 @@ static void overlay(struct job *job, uint8_t layer, const struct csg_ray *ray, d
 {
     struct csg_hit hit;
     float color[4];
-    if (!rgba || !csg_reference_trace(job->scene, layer, ray, scratch, &hit, &job->failed))
+    if (!csg_reference_trace(job->scene, layer, ray, scratch, &hit, &job->failed))
         return;
     if (hit.t > t && layer == CSG_LAYER_BACKGROUND)
         return;
@@ -111,9 +112,9 @@ static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch
         image->normal[3 * index + 1] = (float)hit.normal.y;
         image->normal[3 * index + 2] = (float)hit.normal.z;
     }
-    if (!image->rgba)
+    if (!image->rgba && !image->rgba8)
         return;
-    float *rgba = image->rgba + 4 * index;
+    float rgba[4];
     for (int i = 0; i < 3; i++)
         rgba[i] = job->params->scheme->background[i];
     rgba[3] = 1;
@@ -124,6 +125,10 @@ static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch
     }
     overlay(job, CSG_LAYER_BACKGROUND, &ray, hit.t, scratch, rgba);
     overlay(job, CSG_LAYER_HIGHLIGHT, &ray, hit.t, scratch, rgba);
+    if (image->rgba)
+        memcpy(image->rgba + 4 * index, rgba, sizeof rgba);
+    if (image->rgba8)
+        csg_color_bytes(image->rgba8 + 4 * index, rgba, 4);
 }
 
 bool csg_reference_pixel(const struct csgcast_scene *scene,

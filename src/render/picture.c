@@ -319,9 +319,15 @@ static size_t image_row(const struct picture *picture, int row)
 static void copy_color(const struct picture *picture, const float *pixels)
 {
     const size_t stride = 4 * (size_t)picture->request->width;
-    for (int row = 0; row < picture->num_rows; row++)
-        memcpy(picture->request->image->rgba + image_row(picture, row) * stride,
-               pixels + (size_t)row * stride, stride * sizeof *pixels);
+    const struct csgcast_image *image = picture->request->image;
+    for (int row = 0; row < picture->num_rows; row++) {
+        const float *from = pixels + (size_t)row * stride;
+        const size_t to = image_row(picture, row) * stride;
+        if (image->rgba)
+            memcpy(image->rgba + to, from, stride * sizeof *from);
+        if (image->rgba8)
+            csg_color_bytes(image->rgba8 + to, from, stride);
+    }
 }
 
 static void copy_geometry(const struct picture *picture, const float *pixels)
@@ -350,7 +356,7 @@ static void copy_leaf(const struct picture *picture, const float *pixels)
 
 static void read_band(const struct picture *picture, float *pixels)
 {
-    if (picture->request->image->rgba) {
+    if (picture->request->image->rgba || picture->request->image->rgba8) {
         read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, pixels);
         copy_color(picture, pixels);
     }

@@ -131,7 +131,8 @@ static bool draw(struct csgcast_renderer *renderer, const struct csgcast_scene *
                  struct csgcast_view *view, const char *variant, struct picture *picture,
                  struct csgcast_stats *stats)
 {
-    const struct csgcast_image image = {picture->rgba, picture->z, picture->normal, picture->id};
+    const struct csgcast_image image = {
+        .rgba = picture->rgba, .z = picture->z, .normal = picture->normal, .id = picture->id};
     view->variant = variant;
     const bool ok = csgcast_render(renderer, scene, view, &image);
     csgcast_renderer_get_stats(renderer, stats);

@@ -59,7 +59,8 @@ static void draw_view(struct csgcast_renderer *renderer, const struct csgcast_sc
                       const struct csgcast_camera *camera, struct picture *picture)
 {
     const struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = *camera};
-    const struct csgcast_image image = {picture->rgba, picture->z, picture->normal, picture->id};
+    const struct csgcast_image image = {
+        .rgba = picture->rgba, .z = picture->z, .normal = picture->normal, .id = picture->id};
     CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
 }
 

@@ -31,7 +31,8 @@ static void check(bool ok, const char *name)
 
 static float rgba[NUM_PIXELS * 4], depth[NUM_PIXELS], normal[NUM_PIXELS * 3], id[NUM_PIXELS];
 
-static const struct csgcast_image image = {rgba, depth, normal, id};
+static const struct csgcast_image image = {
+    .rgba = rgba, .z = depth, .normal = normal, .id = id};
 
 static const struct csgcast_metadata metadata[] = {
     {"csgcast:scene", "part.csg"},

@@ -356,6 +356,7 @@ struct csgcast_image {
     float *z;      /* width * height: distance along the view axis, infinity on a miss */
     float *normal; /* width * height * 3: unit, world space, out of the solid, 0 on a miss */
     float *id;     /* width * height: index of the visible leaf in file order, -1 on a miss */
+    uint8_t *rgba8; /* width * height * 4: rgba * 255, rounded; without rgba the cheaper one */
 };
 
 /* Blocks until image is filled. false, with a message, on failure: image is then undefined. */
@@ -418,7 +419,9 @@ struct csgcast_write_params {
  * path "-" writes to standard output, as PNG unless format says otherwise; a device or a pipe is
  * written to and not replaced. Colour values are written as they are, without conversion. Where
  * all of alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id;
- * without rgba only those after A. An error where the format cannot hold what is asked for.
+ * without colour only those after A. Colour is rgba, or where that is NULL rgba8: in a file of 8
+ * bits the same bytes, in others those values / 255. An error where the format cannot hold what is
+ * asked for.
  * Any thread; OpenImageIO is loaded by the first call.
  */
 CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
