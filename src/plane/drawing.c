@@ -114,3 +114,15 @@ struct csg_box csg_figure_written(const struct csg_drawing *drawing,
             csg_box_extend(&box, csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
     return box;
 }
+
+double csg_contour_twice_area(const struct csg_drawing *drawing,
+                              const struct csg_contour *contour)
+{
+    const struct csg_vec2 *p = drawing->points.data;
+    double area = 0;
+    for (uint32_t i = contour->begin; i < contour->end; i++) {
+        const uint32_t j = i + 1 < contour->end ? i + 1 : contour->begin;
+        area += p[i].x * p[j].y - p[j].x * p[i].y;
+    }
+    return area;
+}

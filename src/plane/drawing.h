@@ -84,6 +84,10 @@ bool csg_figure_is_round(const struct csg_figure *figure, double *radius);
 bool csg_drawing_map(struct csg_drawing *drawing, uint32_t begin, uint32_t end,
                      const struct csg_map *map, double stretch);
 
+/* Twice the area of a contour: positive where it runs counterclockwise. */
+double csg_contour_twice_area(const struct csg_drawing *drawing,
+                              const struct csg_contour *contour);
+
 /* Bounds a figure; z is 0. */
 struct csg_box csg_figure_written(const struct csg_drawing *drawing,
                                   const struct csg_figure *figure);

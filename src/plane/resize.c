@@ -42,17 +42,6 @@ enum csg_sweep_result csg_drawing_resize(struct csg_drawing *drawing, uint32_t n
                : CSG_SWEEP_NO_MEMORY;
 }
 
-static double twice_area(const struct csg_drawing *drawing, const struct csg_contour *contour)
-{
-    const struct csg_vec2 *p = drawing->points.data;
-    double area = 0;
-    for (uint32_t i = contour->begin; i < contour->end; i++) {
-        const uint32_t j = i + 1 < contour->end ? i + 1 : contour->begin;
-        area += p[i].x * p[j].y - p[j].x * p[i].y;
-    }
-    return area;
-}
-
 /* Each outer contour becomes a figure: islands in holes are covered by what is around them. */
 enum csg_sweep_result csg_drawing_fill(struct csg_drawing *drawing, uint32_t node)
 {
@@ -64,7 +53,7 @@ enum csg_sweep_result csg_drawing_fill(struct csg_drawing *drawing, uint32_t nod
     bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION);
     for (uint32_t i = figure.begin; i < figure.end && ok; i++) {
         const struct csg_contour contour = drawing->contours.data[i];
-        if (twice_area(drawing, &contour) <= 0)
+        if (csg_contour_twice_area(drawing, &contour) <= 0)
             continue;
         ok = csg_drawing_add_figure(drawing, figure.rounding) && csg_drawing_add_contour(drawing);
         for (uint32_t j = contour.begin; j < contour.end && ok; j++)

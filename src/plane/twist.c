@@ -136,17 +136,6 @@ static bool add_side(struct csg_mesh *mesh, const struct side *side)
            add_triangle(mesh, side->low[1], side->high[1], side->high[0]);
 }
 
-static double contour_area(const struct csg_drawing *drawing, const struct csg_contour *contour)
-{
-    const struct csg_vec2 *p = drawing->points.data;
-    double area = 0;
-    for (uint32_t i = contour->begin; i < contour->end; i++) {
-        const uint32_t j = i + 1 < contour->end ? i + 1 : contour->begin;
-        area += p[i].x * p[j].y - p[j].x * p[i].y;
-    }
-    return area;
-}
-
 /* The points of a slice lie at low and high, in the order of the drawing's from begin on. */
 static bool add_slice(struct csg_mesh *mesh, const struct csg_drawing *drawing,
                       const struct csg_twist *twist, uint32_t begin, uint32_t low, uint32_t high,
@@ -156,7 +145,7 @@ static bool add_slice(struct csg_mesh *mesh, const struct csg_drawing *drawing,
     bool ok = true;
     for (uint32_t i = figure->begin; i < figure->end; i++) {
         const struct csg_contour *contour = &drawing->contours.data[i];
-        const bool is_hole = contour_area(drawing, contour) < 0;
+        const bool is_hole = csg_contour_twice_area(drawing, contour) < 0;
         for (uint32_t j = contour->begin; j < contour->end && ok; j++) {
             const uint32_t a = j - begin;
             const uint32_t b = (j + 1 < contour->end ? j + 1 : contour->begin) - begin;

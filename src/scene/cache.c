@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "common/destination.h"
+#include "common/join.h"
 
 /* 256 MiB: some thousand subtrees of real files. */
 static const uint64_t default_limit = (uint64_t)256 << 20;
@@ -43,15 +44,6 @@ uint64_t csg_hash(uint64_t hash, const void *data, size_t size)
 
 /* ---- where it is -------------------------------------------------------------------------- */
 
-static char *join(const char *a, const char *b)
-{
-    const size_t size = strlen(a) + strlen(b) + 1;
-    char *joined = malloc(size);
-    if (joined)
-        snprintf(joined, size, "%s%s", a, b);
-    return joined;
-}
-
 static bool is_absolute(const char *path)
 {
     return path && path[0] == '/';
@@ -63,10 +55,10 @@ static char *default_folder(void)
     const char *named = getenv("CSGCAST_CACHE"), *xdg = getenv("XDG_CACHE_HOME");
     const char *home = getenv("HOME");
     if (named)
-        return named[0] ? join(named, "") : NULL;
+        return named[0] ? csg_join(named, "") : NULL;
     if (is_absolute(xdg))
-        return join(xdg, "/csgcast");
-    return is_absolute(home) ? join(home, "/.cache/csgcast") : NULL;
+        return csg_join(xdg, "/csgcast");
+    return is_absolute(home) ? csg_join(home, "/.cache/csgcast") : NULL;
 }
 
 /* $CSGCAST_CACHE_SIZE, in MiB. */
@@ -81,7 +73,7 @@ static uint64_t limit_of_environment(void)
 
 void csg_cache_init(struct csg_cache *cache, const char *folder, uint64_t limit)
 {
-    cache->folder = !folder ? default_folder() : folder[0] ? join(folder, "") : NULL;
+    cache->folder = !folder ? default_folder() : folder[0] ? csg_join(folder, "") : NULL;
     cache->limit = limit > 0 ? limit : limit_of_environment();
 }
 
@@ -94,7 +86,7 @@ void csg_cache_finish(struct csg_cache *cache)
 /* mkdir -p; only for its owner, as the specification wants it. */
 static bool make_folder(const struct csg_cache *cache)
 {
-    char *path = join(cache->folder, "");
+    char *path = csg_join(cache->folder, "");
     if (!path)
         return false;
     for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {

@@ -69,13 +69,18 @@ static bool read_regular(const char *path, struct csg_bytes *bytes)
     return ok;
 }
 
-bool csg_import_read(struct csg_walk *walk, uint32_t node, const char *name,
-                     struct csg_bytes *bytes, bool *is_there)
+bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                     const char **name, struct csg_bytes *bytes)
 {
-    char *path = path_of(walk, name);
-    *is_there = path && read_regular(path, bytes);
-    const bool is_out_of_memory = !path || (!*is_there && errno == ENOMEM);
-    if (!is_out_of_memory && !*is_there)
+    const char *named = csg_import_name(args);
+    *name = NULL;
+    if (!named || !*named)
+        return true;
+    char *path = path_of(walk, named);
+    if (path && read_regular(path, bytes))
+        *name = named;
+    const bool is_out_of_memory = !path || (!*name && errno == ENOMEM);
+    if (!is_out_of_memory && !*name)
         csg_walk_warning(walk, node, "%.160s: %s; nothing is drawn", path, strerror(errno));
     free(path);
     return !is_out_of_memory || csg_log_memory(&walk->builder->report->log);
@@ -109,14 +114,11 @@ static bool add_file(struct csg_walk *walk, uint32_t node, const char *name,
 bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                          bool in_boolean, struct csg_part *part)
 {
-    const char *name = csg_import_name(args);
     struct csg_bytes bytes = {0};
-    bool is_there = false;
+    const char *name;
     (void)in_boolean;
-    if (!name || !*name)
-        return true;
-    bool ok = csg_import_read(walk, node, name, &bytes, &is_there);
-    if (ok && is_there)
+    bool ok = csg_import_read(walk, node, args, &name, &bytes);
+    if (ok && name)
         ok = add_file(walk, node, name, &bytes, part);
     free(bytes.data);
     return ok;

@@ -14,10 +14,10 @@ bool csg_import_is_mesh(const char *name);
 /* Whether the ending is that of a drawing. */
 bool csg_import_is_drawing(const char *name);
 
-/* Reads the file, named relative to the scene's directory. is_there: it was read; otherwise a
- * warning was given, and the node is empty as in OpenSCAD. false, with a message, when memory is
- * out. The caller frees the bytes. */
-bool csg_import_read(struct csg_walk *walk, uint32_t node, const char *name,
-                     struct csg_bytes *bytes, bool *is_there);
+/* Reads the file that a node names, relative to the scene's directory. name: its name; NULL where
+ * it names none or, after a warning, cannot be read: the node is empty, as in OpenSCAD. false, with
+ * a message, when memory is out. The caller frees the bytes. */
+bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                     const char **name, struct csg_bytes *bytes);
 
 #endif

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/join.h"
 #include "scene/process.h"
 
 /* One run of openscad. It starts as zeroes. */
@@ -40,21 +41,12 @@ static bool fail_to_start(const struct run *run, int error)
     return false;
 }
 
-static char *join(const char *a, const char *b)
-{
-    const size_t size = strlen(a) + strlen(b) + 1;
-    char *joined = malloc(size);
-    if (joined)
-        snprintf(joined, size, "%s%s", a, b);
-    return joined;
-}
-
 static bool make_directory(struct run *run)
 {
     run->directory = csg_folder_make();
     if (!run->directory)
         return fail(run, "a temporary folder", errno);
-    run->output = join(run->directory, "/scene.csg");
+    run->output = csg_join(run->directory, "/scene.csg");
     return run->output || csg_log_memory(run->log);
 }
 
@@ -72,9 +64,9 @@ static char *current_directory(void)
 
 static bool make_absolute(struct run *run)
 {
-    char *here = run->path[0] == '/' ? join("", "") : current_directory();
-    char *slashed = here ? join(here, run->path[0] == '/' ? "" : "/") : NULL;
-    run->input = slashed ? join(slashed, run->path) : NULL;
+    char *here = run->path[0] == '/' ? csg_join("", "") : current_directory();
+    char *slashed = here ? csg_join(here, run->path[0] == '/' ? "" : "/") : NULL;
+    run->input = slashed ? csg_join(slashed, run->path) : NULL;
     free(here);
     free(slashed);
     return run->input || csg_log_memory(run->log);

@@ -207,14 +207,11 @@ bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg
                           bool in_boolean, struct csg_part *part)
 {
     const bool center = csg_args_bool(args, "center", false);
-    const char *name = csg_import_name(args);
     struct csg_bytes bytes = {0};
-    bool is_there = false;
+    const char *name;
     (void)in_boolean;
-    if (!name || !*name)
-        return true;
-    bool ok = csg_import_read(walk, node, name, &bytes, &is_there);
-    if (ok && is_there)
+    bool ok = csg_import_read(walk, node, args, &name, &bytes);
+    if (ok && name)
         ok = add_bytes(walk, node, name, &bytes, center, part);
     free(bytes.data);
     return ok;

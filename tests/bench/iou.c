@@ -11,41 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-struct picture {
-    int width, height;
-    unsigned char *rgb;
-};
+#include "../openscad/ppm.h"
 
-static bool read_number(FILE *file, int *number)
-{
-    int c;
-    while ((c = fgetc(file)) == '#' || c == ' ' || c == '\n')
-        while (c == '#' && (c = fgetc(file)) != '\n' && c != EOF)
-            c = '#';
-    return ungetc(c, file) != EOF && fscanf(file, "%d", number) == 1;
-}
-
-static bool read_picture(const char *path, struct picture *picture)
-{
-    int max = 0;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return perror(path), false;
-    bool ok = fgetc(file) == 'P' && fgetc(file) == '6' && read_number(file, &picture->width) &&
-              read_number(file, &picture->height) && read_number(file, &max) && max == 255 &&
-              fgetc(file) != EOF && picture->width > 0 && picture->height > 0;
-    if (ok) {
-        const size_t size = 3 * (size_t)picture->width * (size_t)picture->height;
-        picture->rgb = malloc(size);
-        ok = picture->rgb && fread(picture->rgb, 1, size, file) == size;
-    }
-    fclose(file);
-    if (!ok)
-        fprintf(stderr, "iou: %s is not a PPM picture of 8 bits a channel\n", path);
-    return ok;
-}
-
-static bool is_covered(const struct picture *picture, size_t pixel)
+static bool is_covered(const struct ppm *picture, size_t pixel)
 {
     for (size_t c = 0; c < 3; c++)
         if (abs(picture->rgb[3 * pixel + c] - picture->rgb[c]) > 2)
@@ -55,9 +23,9 @@ static bool is_covered(const struct picture *picture, size_t pixel)
 
 int main(int argc, char **argv)
 {
-    struct picture a, b;
+    struct ppm a, b;
     size_t both = 0, either = 0;
-    if (argc != 3 || !read_picture(argv[1], &a) || !read_picture(argv[2], &b))
+    if (argc != 3 || !ppm_read(argv[1], &a) || !ppm_read(argv[2], &b))
         return 2;
     if (a.width != b.width || a.height != b.height)
         return fprintf(stderr, "iou: %s and %s differ in size\n", argv[1], argv[2]), 2;

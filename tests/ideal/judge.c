@@ -40,6 +40,22 @@ double picture_angle(const float *a, const float *b)
     return atan2(sqrt(x * x + y * y + z * z), dot) / DEGREE;
 }
 
+bool picture_is_edge(const struct picture *p, int x, int y, double degrees)
+{
+    const int here = y * p->width + x;
+    for (int v = y > 0 ? y - 1 : 0; v <= y + 1 && v < p->height; v++)
+        for (int u = x > 0 ? x - 1 : 0; u <= x + 1 && u < p->width; u++) {
+            const int there = v * p->width + u;
+            if ((p->id[there] < 0) != (p->id[here] < 0))
+                return true;
+            if (p->id[here] >= 0 &&
+                (picture_angle(p->normal + 3 * there, p->normal + 3 * here) > degrees ||
+                 fabsf(p->z[there] - p->z[here]) > 0.01f * fabsf(p->z[here])))
+                return true;
+        }
+    return false;
+}
+
 static bool is_right(const struct picture *picture, size_t i, const struct ideal_scene *ideal,
                      const struct ideal_ray *ray, const struct tolerance *tolerance)
 {

@@ -21,6 +21,10 @@ bool picture_render(struct csgcast_renderer *renderer, const struct csgcast_scen
 /* Degrees between two vectors of three. */
 double picture_angle(const float *a, const float *b);
 
+/* Whether another surface shows within a pixel: none, one that is further away or nearer by a
+ * hundredth, or one turned by more than so many degrees. */
+bool picture_is_edge(const struct picture *p, int x, int y, double degrees);
+
 struct tolerance {
     double surface; /* share of the scene: how far a hit may be off the right surface */
     double normal;  /* degrees */

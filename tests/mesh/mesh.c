@@ -143,22 +143,6 @@ static struct csgcast_view inner_view(struct dice *dice, int size)
 
 /* ---- judging ------------------------------------------------------------------------------ */
 
-static bool is_edge(const struct picture *p, int x, int y)
-{
-    const int here = y * p->width + x;
-    for (int v = y > 0 ? y - 1 : 0; v <= y + 1 && v < p->height; v++)
-        for (int u = x > 0 ? x - 1 : 0; u <= x + 1 && u < p->width; u++) {
-            const int there = v * p->width + u;
-            if ((p->id[there] < 0) != (p->id[here] < 0))
-                return true;
-            if (p->id[here] >= 0 &&
-                (picture_angle(p->normal + 3 * there, p->normal + 3 * here) > 10 ||
-                 fabsf(p->z[there] - p->z[here]) > 0.01f * fabsf(p->z[here])))
-                return true;
-        }
-    return false;
-}
-
 static bool differs(const struct picture *a, const struct picture *b, int i)
 {
     if (isnan(b->z[i]) || (a->id[i] < 0) != (b->id[i] < 0))
@@ -184,7 +168,7 @@ static void judge(struct run *run, const char *name, const char *view, bool alig
     for (int i = 0; i < num; i++) {
         if (!differs(a, b, i) || (aligned && is_on_side(i % a->width, i / a->width, a->width)))
             continue;
-        if (is_edge(a, i % a->width, i / a->width))
+        if (picture_is_edge(a, i % a->width, i / a->width, 10))
             edge++;
         else if (!wrong++)
             where = i;

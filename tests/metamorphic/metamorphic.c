@@ -72,23 +72,6 @@ struct csgcast_scene *parse(const struct text *text, const char *name)
     return csgcast_scene_parse(text->data, text->num, &params);
 }
 
-/* Whether another surface shows within a pixel. */
-static bool is_edge(const struct picture *p, int x, int y)
-{
-    const int here = y * p->width + x;
-    for (int v = y > 0 ? y - 1 : 0; v <= y + 1 && v < p->height; v++)
-        for (int u = x > 0 ? x - 1 : 0; u <= x + 1 && u < p->width; u++) {
-            const int there = v * p->width + u;
-            if ((p->id[there] < 0) != (p->id[here] < 0))
-                return true;
-            if (p->id[here] >= 0 &&
-                (picture_angle(p->normal + 3 * there, p->normal + 3 * here) > 15 ||
-                 fabsf(p->z[there] - p->z[here]) > 0.01f * fabsf(p->z[here])))
-                return true;
-        }
-    return false;
-}
-
 static bool differs(const struct picture *a, const struct picture *b, int i, bool exact)
 {
     if ((a->id[i] < 0) != (b->id[i] < 0))
@@ -109,7 +92,8 @@ bool judge(struct run *run, const char *name, int size, bool exact)
     for (int i = 0; i < size * size; i++) {
         if (!differs(&run->first, &run->second, i, exact))
             continue;
-        if (is_edge(&run->first, i % size, i / size) || is_edge(&run->second, i % size, i / size))
+        if (picture_is_edge(&run->first, i % size, i / size, 15) ||
+            picture_is_edge(&run->second, i % size, i / size, 15))
             edge++;
         else if (!wrong++)
             where = i;

@@ -15,13 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const int pixel_tolerance = 8;
-static const int max_size = 16384;
+#include "ppm.h"
 
-struct picture {
-    int width, height;
-    unsigned char *rgb;
-};
+static const int pixel_tolerance = 8;
 
 struct comparison {
     size_t num_pixels;     /* with any channel off by pixel_tolerance */
@@ -30,51 +26,19 @@ struct comparison {
     size_t num_foreground; /* pixels of theirs that are not background */
 };
 
-/* The next number of a PPM's head, behind blanks and comments. */
-static bool read_number(FILE *file, int *number)
-{
-    int c;
-    while ((c = fgetc(file)) == '#' || c == ' ' || c == '\n')
-        while (c == '#' && (c = fgetc(file)) != '\n' && c != EOF)
-            c = '#';
-    return ungetc(c, file) != EOF && fscanf(file, "%d", number) == 1;
-}
-
-static bool read_picture(const char *path, struct picture *picture)
-{
-    int max = 0;
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        fprintf(stderr, "pngcmp: cannot read %s\n", path);
-        return false;
-    }
-    bool ok = fgetc(file) == 'P' && fgetc(file) == '6' && read_number(file, &picture->width) &&
-              read_number(file, &picture->height) && read_number(file, &max) && max == 255 && fgetc(file) != EOF && picture->width > 0 && picture->height > 0 &&
-              picture->width <= max_size && picture->height <= max_size;
-    if (ok) {
-        const size_t size = 3 * (size_t)picture->width * (size_t)picture->height;
-        picture->rgb = malloc(size);
-        ok = picture->rgb && fread(picture->rgb, 1, size, file) == size;
-    }
-    fclose(file);
-    if (!ok)
-        fprintf(stderr, "pngcmp: %s is not a PPM picture of 8 bits a channel\n", path);
-    return ok;
-}
-
-static const unsigned char *pixel(const struct picture *picture, int x, int y)
+static const unsigned char *pixel(const struct ppm *picture, int x, int y)
 {
     return picture->rgb + 3 * ((size_t)y * (size_t)picture->width + (size_t)x);
 }
 
 /* -1, 0 or 1: how channel c at (x, y) differs. */
-static int sign(const struct picture *a, const struct picture *b, int x, int y, int c)
+static int sign(const struct ppm *a, const struct ppm *b, int x, int y, int c)
 {
     const int difference = pixel(a, x, y)[c] - pixel(b, x, y)[c];
     return (difference >= pixel_tolerance) - (difference <= -pixel_tolerance);
 }
 
-static bool block_differs(const struct picture *a, const struct picture *b, int x, int y)
+static bool block_differs(const struct ppm *a, const struct ppm *b, int x, int y)
 {
     for (int c = 0; c < 3; c++) {
         int sum = 0;
@@ -86,14 +50,14 @@ static bool block_differs(const struct picture *a, const struct picture *b, int 
     return false;
 }
 
-static bool is_background(const struct picture *picture, const unsigned char background[3], int x,
+static bool is_background(const struct ppm *picture, const unsigned char background[3], int x,
                           int y)
 {
     return memcmp(pixel(picture, x, y), background, 3) == 0;
 }
 
 /* Whether the 3x3 pixels around (x, y) are all background or all not. */
-static bool is_uniform(const struct picture *picture, const unsigned char background[3], int x,
+static bool is_uniform(const struct ppm *picture, const unsigned char background[3], int x,
                        int y)
 {
     int num = 0;
@@ -102,7 +66,7 @@ static bool is_uniform(const struct picture *picture, const unsigned char backgr
     return num == 0 || num == 9;
 }
 
-static struct comparison compare(const struct picture *ours, const struct picture *theirs,
+static struct comparison compare(const struct ppm *ours, const struct ppm *theirs,
                                  const unsigned char background[3])
 {
     struct comparison result = {0};
@@ -134,7 +98,7 @@ static bool parse_background(const char *text, unsigned char background[3])
 int main(int argc, char **argv)
 {
     unsigned char background[3] = {0xff, 0xff, 0xe5}; /* Cornfield */
-    struct picture ours = {0}, theirs = {0};
+    struct ppm ours = {0}, theirs = {0};
     unsigned long max_blocks = 0;
     int next = 1;
 
@@ -147,8 +111,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "pngcmp: bad option %s\n", argv[next]);
         return 2;
     }
-    if (argc - next != 2 || !read_picture(argv[next], &ours) ||
-        !read_picture(argv[next + 1], &theirs))
+    if (argc - next != 2 || !ppm_read(argv[next], &ours) ||
+        !ppm_read(argv[next + 1], &theirs))
         return 2;
     if (ours.width != theirs.width || ours.height != theirs.height) {
         fprintf(stderr, "pngcmp: %dx%d against %dx%d pixels\n", ours.width, ours.height,
