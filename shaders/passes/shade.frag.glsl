@@ -7,14 +7,22 @@ uniform vec2 csg_window;
 uniform vec2 csg_at; /* the reference pixel */
 
 layout(location = 0) out vec4 csg_color;
+#ifdef CSG_WANT_BYTES
+uniform float csg_rows; /* of the band: they are written in the order in which they are read */
+#else
 layout(location = 1) out vec4 csg_geometry; /* normal, distance */
+#endif
 #ifdef CSG_WANT_LEAF
 layout(location = 2) out vec4 csg_leaf;
 #endif
 
 void main()
 {
-    uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy), 0).xy;
+    vec2 pixel = gl_FragCoord.xy;
+#ifdef CSG_WANT_BYTES
+    pixel.y = csg_rows - pixel.y;
+#endif
+    uvec2 visible = texelFetch(csg_visible, ivec2(pixel), 0).xy;
     if (visible.y == 0u || visible.y == CSG_UNFINISHED)
         discard; /* cleared to the background, or what an overlay lies on */
     float k = uintBitsToFloat(visible.x);
@@ -22,7 +30,7 @@ void main()
     vec4 face = csg_texel(p);
     vec3 normal = face.xyz;
     if (face.w < 0.0) {
-        vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+        vec2 d = pixel + csg_window - csg_at;
 #ifdef CSG_TEXTBOOK
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
         normal += at.x * csg_texel(p + 1).xyz + at.y * csg_texel(p + 2).xyz + at.z * csg_texel(p + 3).xyz;
@@ -38,7 +46,11 @@ void main()
     vec4 base = csg_texel(attributes + CSG_ATTRIBUTE_COLOR);
     float light = csg_light.w + abs(dot(normal, csg_light.xyz));
     csg_color = vec4(min(base.rgb * light, 1.0), base.a);
+#ifdef CSG_WANT_BYTES
+    csg_color = floor(csg_color * 255.0 + 0.5) / 255.0; /* as csg_color_bytes rounds */
+#else
     csg_geometry = vec4(normal, csg_distance(k));
+#endif
 #ifdef CSG_WANT_LEAF
     csg_leaf = vec4(csg_texel(attributes + CSG_ATTRIBUTE_LEAF).x);
 #endif

@@ -29,6 +29,8 @@ struct picture {
     GLuint shade;
     int first_row, num_rows; /* of the band, counted from the bottom */
     bool want_geometry, want_leaf;
+    bool bytes;    /* colours go to the caller as they are drawn, row 0 on top, and nothing else */
+    float rect[4]; /* of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture */
     uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
 };
 
@@ -175,16 +177,29 @@ static void set_outputs(const struct picture *picture, const struct round *round
     picture->gl->DrawBuffers(3, buffers);
 }
 
-static void set_light(const struct picture *picture)
+static void set_shade_uniforms(const struct picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     const struct csgcast_frustum *frustum = &picture->request->frustum;
+    const struct csg_uniforms *at =
+        &csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms;
     float light[3];
     for (int i = 0; i < 3; i++)
         light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
                            CSG_LIGHT_Z * frustum->forward[i]);
-    gl->Uniform4f(csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms.light,
-                  light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
+    set_screen(picture, picture->shade);
+    gl->Uniform1i(at->visible, 1);
+    gl->Uniform4f(at->light, light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
+    gl->Uniform1f(at->rows, (float)picture->num_rows);
+}
+
+/* To what a byte holds. */
+static void round_color(GLfloat color[4])
+{
+    uint8_t bytes[4];
+    csg_color_bytes(bytes, color, 4);
+    for (int i = 0; i < 4; i++)
+        color[i] = (float)bytes[i] / 255;
 }
 
 /* What a pixel without a surface has. */
@@ -192,10 +207,12 @@ static void clear_outputs(const struct picture *picture, const struct round *rou
 {
     struct csg_gl *gl = picture->gl;
     const float *color = picture->request->scheme->background;
-    const GLfloat background[4] = {color[0], color[1], color[2], 1};
+    GLfloat background[4] = {color[0], color[1], color[2], 1};
     const GLfloat nowhere[4] = {0, 0, 0, INFINITY}, no_leaf[4] = {-1, -1, -1, -1};
     if (round->overlay)
         return;
+    if (picture->bytes)
+        round_color(background);
     gl->ClearBufferfv(GL_COLOR, 0, background);
     if (round->geometry && picture->want_geometry)
         gl->ClearBufferfv(GL_COLOR, 1, nowhere);
@@ -203,23 +220,45 @@ static void clear_outputs(const struct picture *picture, const struct round *rou
         gl->ClearBufferfv(GL_COLOR, 2, no_leaf);
 }
 
+static int clamp_pixel(double x, int size)
+{
+    return x < 0 ? 0 : x > size ? size : (int)x;
+}
+
+/* Only what is inside of the draws' rectangles needs shading, with a pixel more for the rounding of
+ * their corners. false: nothing of the band. */
+static bool set_shaded_part(const struct picture *picture)
+{
+    const int width = picture->request->width, rows = picture->num_rows;
+    const double sx = 0.5 * width, sy = 0.5 * picture->request->height;
+    const float *rect = picture->rect;
+    const int x0 = clamp_pixel(((double)rect[0] + 1) * sx - 1, width);
+    const int x1 = clamp_pixel(((double)rect[2] + 1) * sx + 2, width);
+    const int lo = clamp_pixel(((double)rect[1] + 1) * sy - 1 - picture->first_row, rows);
+    const int hi = clamp_pixel(((double)rect[3] + 1) * sy + 2 - picture->first_row, rows);
+    if (x0 >= x1 || lo >= hi)
+        return false;
+    picture->gl->Viewport(x0, picture->bytes ? rows - hi : lo, x1 - x0, hi - lo);
+    return true;
+}
+
 static void draw_shading(const struct picture *picture, const struct round *round)
 {
     struct csg_gl *gl = picture->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
-    set_outputs(picture, round);
+    const struct csg_targets *targets = &picture->renderer->targets;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->bytes ? targets->bytes_fbo : targets->shade_fbo);
+    if (!picture->bytes)
+        set_outputs(picture, round);
     clear_outputs(picture, round);
-    gl->Viewport(0, 0, picture->request->width, picture->num_rows);
+    if (!set_shaded_part(picture))
+        return;
     gl->Disable(GL_DEPTH_TEST);
     if (round->overlay) {
         gl->Enable(GL_BLEND);
         gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
     gl->BindVertexArray(picture->renderer->empty_array);
-    set_screen(picture, picture->shade);
-    gl->Uniform1i(csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms.visible,
-                  1);
-    set_light(picture);
+    set_shade_uniforms(picture);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);
     gl->ActiveTexture(GL_TEXTURE0);
@@ -354,8 +393,24 @@ static void copy_leaf(const struct picture *picture, const float *pixels)
                pixels + (size_t)row * width, width * sizeof *pixels);
 }
 
+/* Straight to the caller's rows. */
+static void read_bytes(const struct picture *picture)
+{
+    struct csg_gl *gl = picture->gl;
+    const size_t first = image_row(picture, picture->num_rows - 1);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.bytes_fbo);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                   picture->request->image->rgba8 + 4 * first * (size_t)picture->request->width);
+}
+
 static void read_band(const struct picture *picture, float *pixels)
 {
+    if (picture->bytes) {
+        read_bytes(picture);
+        return;
+    }
     if (picture->request->image->rgba || picture->request->image->rgba8) {
         read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, pixels);
         copy_color(picture, pixels);
@@ -448,13 +503,14 @@ static bool draw_bands(struct picture *picture)
     const struct csg_request *request = picture->request;
     int rows = MAX_BAND_PIXELS / request->width;
     rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
-    if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows))
+    if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows,
+                            picture->bytes))
         return false;
     const size_t num_pixels = (size_t)request->width * (size_t)rows;
-    float *pixels = malloc(4 * num_pixels * sizeof *pixels);
+    float *pixels = picture->bytes ? NULL : malloc(4 * num_pixels * sizeof *pixels);
     if (picture->batches.may_give_up)
         picture->visible = malloc(2 * num_pixels * sizeof *picture->visible);
-    bool ok = pixels && (picture->visible || !picture->batches.may_give_up);
+    bool ok = (pixels || picture->bytes) && (picture->visible || !picture->batches.may_give_up);
     if (!ok)
         csg_log_memory(&picture->renderer->log);
     picture->gl->ActiveTexture(GL_TEXTURE0);
@@ -520,6 +576,43 @@ static void name_variants(const struct picture *picture, char *text, size_t size
     add_variant(text + skip, size - skip, used, "reference", batches->on_cpu);
 }
 
+static void add_rect(float rect[4], const float *other)
+{
+    for (int i = 0; i < 2; i++) {
+        rect[i] = fminf(rect[i], other[i]);
+        rect[2 + i] = fmaxf(rect[2 + i], other[2 + i]);
+    }
+}
+
+static void bound_draws(struct picture *picture)
+{
+    const struct csg_frame *frame = &picture->renderer->frame;
+    const struct csg_frame_crowd *crowd = &frame->crowd;
+    float rect[4] = {1, 1, -1, -1};
+    for (size_t i = 0; i < frame->draws.num; i++)
+        add_rect(rect, frame->draws.data[i].instance.rect);
+    for (size_t i = 0; i < crowd->runs.num; i++) {
+        const struct csg_crowd_run *run = &crowd->runs.data[i];
+        for (size_t j = 0; j < run->num; j++)
+            add_rect(rect, crowd->instances.data + run->first + j * run->stride);
+    }
+    memcpy(picture->rect, rect, sizeof rect);
+}
+
+/* Blending needs floats. */
+static bool prepare_shading(struct picture *picture)
+{
+    const struct csgcast_image *image = picture->request->image;
+    picture->bytes = image->rgba8 && !image->rgba && !picture->want_geometry && !picture->want_leaf;
+    for (size_t i = 0; i < picture->batches.num; i++)
+        picture->bytes &= is_opaque(&picture->batches.data[i]);
+    bound_draws(picture);
+    picture->shade = csg_programs_get(
+        &picture->renderer->programs,
+        csg_source_shade(picture->want_leaf, picture->bytes, picture->request->textbook));
+    return picture->shade != 0;
+}
+
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const struct csg_frame_params params = {
@@ -544,9 +637,8 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     struct picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
-    picture.shade = csg_programs_get(&renderer->programs, csg_source_shade(picture.want_leaf, request->textbook));
-    const bool ok = picture.shade && csg_batches_fill(&picture.batches, renderer, request) &&
-                    upload(renderer) && draw_bands(&picture);
+    const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
+                    prepare_shading(&picture) && upload(renderer) && draw_bands(&picture);
     struct csgcast_stats *stats = &renderer->stats;
     copy_counts(&renderer->frame, stats);
     csg_numerics_describe(renderer, request->scene, stats);

@@ -19,58 +19,79 @@ static void attach(struct csg_gl *gl, GLenum attachment, GLuint texture)
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
 }
 
-static void make_textures(struct csg_targets *targets, struct csg_gl *gl)
+static bool is_complete(struct csg_gl *gl)
+{
+    return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+static bool make_geometry(struct csg_targets *targets, struct csg_gl *gl)
 {
     targets->visible =
         make_texture(gl, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, targets);
-    targets->color = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
-    targets->geometry = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
-    targets->leaf = make_texture(gl, GL_R32F, GL_RED, GL_FLOAT, targets);
     gl->GenRenderbuffers(1, &targets->depth);
     gl->BindRenderbuffer(GL_RENDERBUFFER, targets->depth);
     gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, targets->width,
                             targets->height);
-}
-
-static bool make_framebuffers(struct csg_targets *targets, struct csg_gl *gl)
-{
     gl->GenFramebuffers(1, &targets->geometry_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->geometry_fbo);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->visible);
     gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                 targets->depth);
-    const bool ok = gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return is_complete(gl);
+}
+
+static bool make_floats(struct csg_targets *targets, struct csg_gl *gl)
+{
+    targets->color = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
+    targets->geometry = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
+    targets->leaf = make_texture(gl, GL_R32F, GL_RED, GL_FLOAT, targets);
     gl->GenFramebuffers(1, &targets->shade_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->shade_fbo);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->color);
     attach(gl, GL_COLOR_ATTACHMENT1, targets->geometry);
     attach(gl, GL_COLOR_ATTACHMENT2, targets->leaf);
-    return ok && gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return is_complete(gl);
 }
 
-bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height)
+static bool make_bytes(struct csg_targets *targets, struct csg_gl *gl)
 {
-    if (targets->width == width && targets->height == height)
-        return true;
-    csg_targets_finish(targets, gl);
-    targets->width = width;
-    targets->height = height;
-    make_textures(targets, gl);
-    if (make_framebuffers(targets, gl))
+    targets->bytes = make_texture(gl, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, targets);
+    gl->GenFramebuffers(1, &targets->bytes_fbo);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, targets->bytes_fbo);
+    attach(gl, GL_COLOR_ATTACHMENT0, targets->bytes);
+    return is_complete(gl);
+}
+
+bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
+                        bool bytes)
+{
+    bool ok = true;
+    if (targets->width != width || targets->height != height) {
+        csg_targets_finish(targets, gl);
+        targets->width = width;
+        targets->height = height;
+        ok = make_geometry(targets, gl);
+    }
+    if (ok && bytes && !targets->bytes_fbo)
+        ok = make_bytes(targets, gl);
+    if (ok && !bytes && !targets->shade_fbo)
+        ok = make_floats(targets, gl);
+    if (ok)
         return true;
     csg_log_error(&gl->log, CSGCAST_MESSAGE_CONTEXT,
-                  "the driver cannot draw into float textures of %d x %d pixels", width, height);
+                  "the driver cannot draw into textures of %d x %d pixels", width, height);
     csg_targets_finish(targets, gl);
     return false;
 }
 
 void csg_targets_finish(struct csg_targets *targets, struct csg_gl *gl)
 {
-    const GLuint textures[] = {targets->visible, targets->color, targets->geometry, targets->leaf};
-    const GLuint framebuffers[] = {targets->geometry_fbo, targets->shade_fbo};
+    const GLuint textures[] = {targets->visible, targets->color, targets->geometry, targets->leaf,
+                               targets->bytes};
+    const GLuint framebuffers[] = {targets->geometry_fbo, targets->shade_fbo, targets->bytes_fbo};
     if (targets->width) {
-        gl->DeleteFramebuffers(2, framebuffers);
-        gl->DeleteTextures(4, textures);
+        gl->DeleteFramebuffers(3, framebuffers);
+        gl->DeleteTextures(5, textures);
         gl->DeleteRenderbuffers(1, &targets->depth);
     }
     *targets = (struct csg_targets){0};

@@ -216,7 +216,7 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run)
     return finish_stages(&vertex, &fragment);
 }
 
-struct csg_stages csg_source_shade(bool want_leaf, bool textbook)
+struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textbook)
 {
     struct csg_text vertex = {0}, fragment = {0};
     add_preamble(&vertex, 0);
@@ -224,6 +224,8 @@ struct csg_stages csg_source_shade(bool want_leaf, bool textbook)
     add_preamble(&fragment, 0);
     if (want_leaf)
         csg_text_add(&fragment, "#define CSG_WANT_LEAF\n");
+    if (want_bytes)
+        csg_text_add(&fragment, "#define CSG_WANT_BYTES\n");
     if (textbook)
         csg_text_add(&fragment, "#define CSG_TEXTBOOK\n");
     add_file(&fragment, "common/data.glsl");

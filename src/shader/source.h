@@ -97,7 +97,7 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run);
 struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain);
 
 /* The shading pass. */
-struct csg_stages csg_source_shade(bool want_leaf, bool textbook);
+struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textbook);
 
 /* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
 void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
