@@ -36,7 +36,7 @@ file(RELATIVE_PATH prefix_from_pcfiledir ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
     ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" prefix_from_pcfiledir "${prefix_from_pcfiledir}")
 set(pc_libs "-L\${libdir} -lcsgcast")
-set(pc_libs_private "-lm -ldl -lpthread")
+set(pc_libs_private "-lpng -lz -lm -ldl -lpthread")
 if(qhull_library)
     string(PREPEND pc_libs_private "-lqhull_r ")
 endif()

@@ -34,9 +34,13 @@ if(CSGCAST_QHULL)
     endif()
 endif()
 
+# PNG files; all others are OpenImageIO's, see image.cmake.
+find_package(PNG REQUIRED)
+target_include_directories(csgcast_objects SYSTEM PRIVATE ${PNG_INCLUDE_DIRS})
+
 add_library(csgcast_internal STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:csgcast_objects>)
 target_include_directories(csgcast_internal PUBLIC ${internal_includes})
-target_link_libraries(csgcast_internal PUBLIC ${qhull_library} m dl pthread)
+target_link_libraries(csgcast_internal PUBLIC ${qhull_library} ${PNG_LIBRARIES} m dl pthread)
 
 add_library(csgcast $<TARGET_OBJECTS:csgcast_objects>)
 add_library(csgcast::csgcast ALIAS csgcast)
@@ -44,8 +48,9 @@ target_include_directories(csgcast PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # By name where it is installed: a static libcsgcast hands it on to its users.
-target_link_libraries(csgcast PRIVATE $<BUILD_INTERFACE:${qhull_library}> m dl pthread
-    $<BUILD_INTERFACE:csgcast_compiler>)
+target_link_libraries(csgcast PRIVATE $<BUILD_INTERFACE:${qhull_library}>
+    "$<BUILD_INTERFACE:${PNG_LIBRARIES}>" $<INSTALL_INTERFACE:png> $<INSTALL_INTERFACE:z>
+    m dl pthread $<BUILD_INTERFACE:csgcast_compiler>)
 if(qhull_library)
     target_link_libraries(csgcast PRIVATE $<INSTALL_INTERFACE:qhull_r>)
 endif()

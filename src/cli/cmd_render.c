@@ -11,13 +11,21 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 
 static bool has_extension(const char *path, const char *extension)
 {
     const char *dot = strrchr(path, '.');
-    return dot && !strcmp(dot, extension);
+    return dot && !strcasecmp(dot, extension);
+}
+
+static bool is_png(const char *output, const char *format)
+{
+    if (format)
+        return !strcasecmp(format, "png");
+    return !strcmp(output, "-") || has_extension(output, ".png");
 }
 
 /* ---- the picture in memory ---------------------------------------------------------------- */
@@ -43,9 +51,7 @@ static bool allocate_channel(float **channel, bool wanted, size_t num)
 static bool holds_bytes(const char *output, const struct csgcast_write_params *write)
 {
     const bool aov = write->write_z || write->write_normal || write->write_id;
-    const bool png = write->format ? !strcmp(write->format, "png")
-                                   : !strcmp(output, "-") || has_extension(output, ".png");
-    return !aov && (write->bits == 8 || (write->bits == 0 && png));
+    return !aov && (write->bits == 8 || (write->bits == 0 && is_png(output, write->format)));
 }
 
 /* bytes: colours as bytes. */
@@ -140,8 +146,7 @@ static enum csg_cli_exit render_scene(const struct csg_cli_options *options,
     view.width = view.width ? view.width : DEFAULT_SIZE;
     view.height = view.height ? view.height : DEFAULT_SIZE;
     if (!csgcast_view_resolve(scene, &view, &frustum) ||
-        !allocate_image(&image, &view, &options->write,
-                        holds_bytes(output, &options->write)))
+        !allocate_image(&image, &view, &options->write, holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
     if (render_image(options, scene, &view, &image))
         result =
@@ -166,10 +171,10 @@ static void warn_defines(const struct csg_cli_options *options)
 static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output)
 {
     warn_defines(options);
-    csgcast_image_preload();
+    if (!is_png(output, options->write.format)) /* libpng is there */
+        csgcast_image_preload();
     struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
-    const enum csg_cli_exit result =
-        scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
+    const enum csg_cli_exit result = scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
     csgcast_scene_destroy(scene);
     return result;
 }

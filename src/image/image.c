@@ -20,6 +20,7 @@
 #include "common/destination.h"
 #include "common/module.h"
 #include "image/module.h"
+#include "image/png.h"
 
 #define MODULE_NAME "csgcast-image.so"
 
@@ -166,6 +167,11 @@ static bool is_exr(const char *format)
     return is_one_of(format, names);
 }
 
+static bool is_png(const char *format)
+{
+    return !strcmp(format, "png");
+}
+
 static bool is_float_format(const char *format)
 {
     static const char *const names[] = {"hdr", "rgbe", "pfm", NULL};
@@ -256,7 +262,7 @@ static bool write_to(struct csg_destination *to, struct csg_image_file *file)
     if (!csg_destination_open(to, file->format))
         return false;
     file->path = to->temporary;
-    if (write_with_module(file, &error))
+    if (is_png(file->format) ? csg_png_write(file, &error) : write_with_module(file, &error))
         return csg_destination_commit(to);
     csg_log_error(to->log, CSGCAST_MESSAGE_IMAGE, "%s: %s", to->path, error.text);
     return false;

@@ -5,7 +5,7 @@
 /*
  * The border between libcsgcast and csgcast-image.so, which wraps OpenImageIO. OpenImageIO brings
  * some 260 shared libraries that take a quarter of a second to load, so image.c loads the module
- * when the first image is written.
+ * when the first image is written that is not a PNG (png.c).
  */
 
 #include "csgcast/csgcast.h"

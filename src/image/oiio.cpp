@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 
-/* csgcast-image.so: writes one image with OpenImageIO. The only C++ of csgcast. */
+/* csgcast-image.so: writes one image with OpenImageIO. All but PNG, see png.c. */
 
 #include <algorithm>
 #include <cerrno>

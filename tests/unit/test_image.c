@@ -6,6 +6,7 @@
  */
 
 #include <dirent.h>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "csgcast/csgcast.h"
+#include "image/module.h"
 
 enum { WIDTH = 5, HEIGHT = 70, NUM_PIXELS = WIDTH * HEIGHT };
 
@@ -140,6 +142,66 @@ static void test_png(void)
     check(has(info, "Pixel (4, 0): 255 0 128"), "png has row 0 on top, red to the right");
     check(has(info, "Pixel (1, 1): 64 4 128"), "png values are rounded, not converted");
     check(has(info, "Pixel (0, 69): 0 255 128"), "png has the last row");
+}
+
+/* OpenImageIO's own PNG of a picture, through the module, for csgcast_image_write's to equal. */
+static bool write_with_module(const char *path, int bits, int num_channels)
+{
+    static const char *const names[] = {"R", "G", "B", "A"};
+    struct csg_image_channel channels[4];
+    struct csg_image_error error = {{0}};
+    void *const module = dlopen(getenv("CSGCAST_IMAGE_MODULE"), RTLD_NOW | RTLD_NODELETE);
+    void *const address = module ? dlsym(module, CSG_IMAGE_MODULE_WRITE_NAME) : NULL;
+    csg_image_module_write_fn *write_file = NULL;
+    memcpy(&write_file, &address, sizeof write_file);
+    for (int c = 0; c < num_channels; c++)
+        channels[c] = (struct csg_image_channel){names[c], rgba + c, 4};
+    const struct csg_image_file file = {path,     "png",        WIDTH,    HEIGHT, bits,
+                                        channels, num_channels, metadata, 2};
+    const bool ok = write_file && write_file(&file, &error);
+    if (!ok)
+        printf("     %s\n", error.text);
+    return ok;
+}
+
+/* Values in and around 0 to 1, half of them on the edge between two steps of 8 or of 16 bits. */
+static void fill_random(unsigned seed, bool is_opaque)
+{
+    const int steps = seed % 2 ? 255 : 65535;
+    for (int i = 0; i < NUM_PIXELS * 4; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        const float random = (float)(seed >> 8) / (float)(1 << 24);
+        rgba[i] = seed >> 31 ? random * 1.2f - 0.1f
+                             : ((float)(int)(random * (float)steps) + 0.5f) / (float)steps;
+        if (i % 4 == 3 && is_opaque)
+            rgba[i] = 1;
+    }
+}
+
+/* What iinfo and oiiotool tell of a PNG, without its name and without the line of JPEG's. */
+static const char *tell(const char *name)
+{
+    return run("cd %s && cp %s told.png && { iinfo -v told.png | grep -v jpeg:; "
+               "oiiotool --dumpdata told.png; } 2>&1",
+               folder, name);
+}
+
+static void test_equals_openimageio(void)
+{
+    for (unsigned i = 0; i < 8; i++) {
+        const int bits = i & 1 ? 8 : 16, num_channels = i & 2 ? 3 : 4;
+        char label[64];
+        fill_random(i, num_channels == 3);
+        bool ok = write_image(path_of("own.png"), (struct csgcast_write_params){.bits = bits}) &&
+                  write_with_module(path_of("theirs.png"), bits, num_channels);
+        char *own = strdup(tell("own.png"));
+        ok = ok && own && strlen(own) > 1000 && !strcmp(own, tell("theirs.png"));
+        snprintf(label, sizeof label, "png is OpenImageIO's: %d bits, %d channels", bits,
+                 num_channels);
+        check(ok, label);
+        free(own);
+    }
+    fill_image();
 }
 
 static void test_deep_formats(void)
@@ -338,8 +400,9 @@ static void test_no_module(void)
     const char *module = getenv("CSGCAST_IMAGE_MODULE");
     char *kept = module ? strdup(module) : NULL;
     setenv("CSGCAST_IMAGE_MODULE", "/nowhere/csgcast-image.so", 1);
-    check_refused(path_of("m.png"), (struct csgcast_write_params){0}, "libopenimageio",
+    check_refused(path_of("m.tif"), (struct csgcast_write_params){0}, "libopenimageio",
                   "a missing module");
+    check(write_image(path_of("m.png"), (struct csgcast_write_params){0}), "PNG needs none");
     unsetenv("CSGCAST_IMAGE_MODULE");
     if (kept)
         setenv("CSGCAST_IMAGE_MODULE", kept, 1);
@@ -355,6 +418,7 @@ int main(void)
     csgcast_image_preload();
     csgcast_image_preload();
     test_png();
+    test_equals_openimageio();
     test_deep_formats();
     test_exr();
     test_alpha();

@@ -415,22 +415,23 @@ struct csgcast_write_params {
 };
 
 /*
- * Writes image through OpenImageIO, beside the target first and then renamed: never half a file.
+ * Writes image, PNG with libpng and all else with OpenImageIO, beside the target first and then
+ * renamed: never half a file.
  * path "-" writes to standard output, as PNG unless format says otherwise; a device or a pipe is
  * written to and not replaced. Colour values are written as they are, without conversion. Where
  * all of alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id;
  * without colour only those after A. Colour is rgba, or where that is NULL rgba8: in a file of 8
  * bits the same bytes, in others those values / 255. An error where the format cannot hold what is
  * asked for.
- * Any thread; OpenImageIO is loaded by the first call.
+ * Any thread; OpenImageIO is loaded by the first call for another format than PNG.
  */
 CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
                                      const struct csgcast_image *image,
                                      const struct csgcast_write_params *params);
 
 /*
- * Optional: starts to load OpenImageIO and its 260 shared libraries (about 0.25 s) in a background
- * thread, so that it overlaps with rendering; csgcast_image_write waits for the rest of it. Any
+ * Optional, and of no use for PNG: starts to load OpenImageIO and its 260 shared libraries (about
+ * 0.25 s) in a background thread beside rendering; csgcast_image_write waits for the rest. Any
  * number of times, from the thread that will end the program: its exit waits for the loading.
  * Failures show in csgcast_image_write. Does nothing where the C library is not glibc.
  */
