@@ -151,7 +151,7 @@ static bool add_slice(struct csg_mesh *mesh, const struct csg_drawing *drawing,
             const uint32_t b = (j + 1 < contour->end ? j + 1 : contour->begin) - begin;
             const struct side side = {.low = {low + a, low + b},
                                       .high = {high + a, high + b},
-                                      .flip = is_hole != (twist->degrees >= 0),
+                                      .flip = is_hole != (twist->degrees <= 0),
                                       .is_pointed = is_pointed};
             ok = add_side(mesh, &side);
         }
