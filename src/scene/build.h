@@ -91,6 +91,17 @@ static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t n
            builder->meanings[node].is_misplaced;
 }
 
+/*
+ * Whether the node is a drawing among solids, which is the empty set in OpenSCAD 2021.01: an
+ * intersection with it is empty. A solid in a drawing is as if it were not there.
+ */
+static inline bool csg_is_flat_operand(const struct csg_builder *builder, uint32_t node)
+{
+    return (builder->document->nodes.data[node].modifiers &
+            (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) == 0 &&
+           builder->meanings[node].is_misplaced && builder->meanings[node].dimension == 2;
+}
+
 /* Whether the node becomes a part. */
 static inline bool csg_is_compound(const struct csg_meaning *meaning)
 {
