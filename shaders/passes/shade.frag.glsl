@@ -7,9 +7,7 @@ uniform vec2 csg_window;
 uniform vec2 csg_at; /* the reference pixel */
 
 layout(location = 0) out vec4 csg_color;
-#ifdef CSG_WANT_BYTES
-uniform float csg_rows; /* of the band: they are written in the order in which they are read */
-#else
+#ifndef CSG_WANT_BYTES
 layout(location = 1) out vec4 csg_geometry; /* normal, distance */
 #endif
 #ifdef CSG_WANT_LEAF
@@ -18,11 +16,7 @@ layout(location = 2) out vec4 csg_leaf;
 
 void main()
 {
-    vec2 pixel = gl_FragCoord.xy;
-#ifdef CSG_WANT_BYTES
-    pixel.y = csg_rows - pixel.y;
-#endif
-    uvec2 visible = texelFetch(csg_visible, ivec2(pixel), 0).xy;
+    uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy), 0).xy;
     if (visible.y == 0u || visible.y == CSG_UNFINISHED)
         discard; /* cleared to the background, or what an overlay lies on */
     float k = uintBitsToFloat(visible.x);
@@ -30,7 +24,7 @@ void main()
     vec4 face = csg_texel(p);
     vec3 normal = face.xyz;
     if (face.w < 0.0) {
-        vec2 d = pixel + csg_window - csg_at;
+        vec2 d = gl_FragCoord.xy + csg_window - csg_at;
 #ifdef CSG_TEXTBOOK
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
         normal += at.x * csg_texel(p + 1).xyz + at.y * csg_texel(p + 2).xyz + at.z * csg_texel(p + 3).xyz;

@@ -16,6 +16,10 @@
 #include "common/clock.h"
 #include "pack/textbook.h"
 
+#ifndef GL_PACK_INVERT_MESA
+#define GL_PACK_INVERT_MESA 0x8758 /* GL_MESA_pack_invert: rows from the top; not in all headers */
+#endif
+
 #define MAX_BAND_PIXELS (4 << 20)
 
 /* Overlays coincide with surfaces that they repeat: let them win by some steps of the buffer. */
@@ -29,7 +33,7 @@ struct picture {
     GLuint shade;
     int first_row, num_rows; /* of the band, counted from the bottom */
     bool want_geometry, want_leaf;
-    bool bytes;    /* colours go to the caller as they are drawn, row 0 on top, and nothing else */
+    bool bytes;    /* colours go to the caller as they are drawn, and nothing else */
     float rect[4]; /* of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture */
     uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
 };
@@ -151,7 +155,10 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
     const GLfloat far = 1;
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.geometry_fbo);
     gl->Viewport(0, -picture->first_row, picture->request->width, picture->request->height);
-    gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+    /* Elsewhere the depth buffer tells what has been drawn. */
+    if (round->overlay || picture->visible)
+        gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+    gl->DepthMask(GL_TRUE);
     if (!round->overlay)
         gl->ClearBufferfv(GL_DEPTH, 0, &far);
     gl->Enable(GL_DEPTH_TEST);
@@ -190,7 +197,6 @@ static void set_shade_uniforms(const struct picture *picture)
     set_screen(picture, picture->shade);
     gl->Uniform1i(at->visible, 1);
     gl->Uniform4f(at->light, light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
-    gl->Uniform1f(at->rows, (float)picture->num_rows);
 }
 
 /* To what a byte holds. */
@@ -238,7 +244,7 @@ static bool set_shaded_part(const struct picture *picture)
     const int hi = clamp_pixel(((double)rect[3] + 1) * sy + 2 - picture->first_row, rows);
     if (x0 >= x1 || lo >= hi)
         return false;
-    picture->gl->Viewport(x0, picture->bytes ? rows - hi : lo, x1 - x0, hi - lo);
+    picture->gl->Viewport(x0, lo, x1 - x0, hi - lo);
     return true;
 }
 
@@ -252,7 +258,8 @@ static void draw_shading(const struct picture *picture, const struct round *roun
     clear_outputs(picture, round);
     if (!set_shaded_part(picture))
         return;
-    gl->Disable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_GREATER);
+    gl->DepthMask(GL_FALSE);
     if (round->overlay) {
         gl->Enable(GL_BLEND);
         gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -393,16 +400,36 @@ static void copy_leaf(const struct picture *picture, const float *pixels)
                pixels + (size_t)row * width, width * sizeof *pixels);
 }
 
+static void turn_over(uint8_t *rows, size_t num_rows, size_t stride)
+{
+    for (size_t row = 0; row < num_rows / 2; row++) {
+        uint8_t *a = rows + row * stride, *b = rows + (num_rows - 1 - row) * stride;
+        for (size_t i = 0; i < stride; i++) {
+            const uint8_t kept = a[i];
+            a[i] = b[i];
+            b[i] = kept;
+        }
+    }
+}
+
 /* Straight to the caller's rows. */
 static void read_bytes(const struct picture *picture)
 {
     struct csg_gl *gl = picture->gl;
-    const size_t first = image_row(picture, picture->num_rows - 1);
+    const size_t stride = 4 * (size_t)picture->request->width;
+    uint8_t *rows = picture->request->image->rgba8 +
+                    stride * image_row(picture, picture->num_rows - 1);
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.bytes_fbo);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    if (gl->has_pack_invert)
+        gl->PixelStorei(GL_PACK_INVERT_MESA, GL_TRUE);
     gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RGBA, GL_UNSIGNED_BYTE,
-                   picture->request->image->rgba8 + 4 * first * (size_t)picture->request->width);
+                   rows);
+    if (gl->has_pack_invert)
+        gl->PixelStorei(GL_PACK_INVERT_MESA, GL_FALSE);
+    else
+        turn_over(rows, (size_t)picture->num_rows, stride);
 }
 
 static void read_band(const struct picture *picture, float *pixels)

@@ -90,7 +90,6 @@ static struct csg_uniforms find_uniforms(const struct csg_gl *gl, GLuint id)
         .depth_bias = gl->GetUniformLocation(id, "csg_depth_bias"),
         .visible = gl->GetUniformLocation(id, "csg_visible"),
         .light = gl->GetUniformLocation(id, "csg_light"),
-        .rows = gl->GetUniformLocation(id, "csg_rows"),
     };
 }
 

@@ -19,8 +19,11 @@ static void attach(struct csg_gl *gl, GLenum attachment, GLuint texture)
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
 }
 
-static bool is_complete(struct csg_gl *gl)
+/* All passes look at the one depth buffer. */
+static bool is_complete(struct csg_gl *gl, const struct csg_targets *targets)
 {
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                targets->depth);
     return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
@@ -35,9 +38,7 @@ static bool make_geometry(struct csg_targets *targets, struct csg_gl *gl)
     gl->GenFramebuffers(1, &targets->geometry_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->geometry_fbo);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->visible);
-    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                targets->depth);
-    return is_complete(gl);
+    return is_complete(gl, targets);
 }
 
 static bool make_floats(struct csg_targets *targets, struct csg_gl *gl)
@@ -50,7 +51,7 @@ static bool make_floats(struct csg_targets *targets, struct csg_gl *gl)
     attach(gl, GL_COLOR_ATTACHMENT0, targets->color);
     attach(gl, GL_COLOR_ATTACHMENT1, targets->geometry);
     attach(gl, GL_COLOR_ATTACHMENT2, targets->leaf);
-    return is_complete(gl);
+    return is_complete(gl, targets);
 }
 
 static bool make_bytes(struct csg_targets *targets, struct csg_gl *gl)
@@ -59,7 +60,7 @@ static bool make_bytes(struct csg_targets *targets, struct csg_gl *gl)
     gl->GenFramebuffers(1, &targets->bytes_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->bytes_fbo);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->bytes);
-    return is_complete(gl);
+    return is_complete(gl, targets);
 }
 
 bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
