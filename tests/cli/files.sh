@@ -30,6 +30,14 @@ expect 0 "format against extension" render part.csg "${small[@]}" -o folder/x --
 check "folder/x is a PNG" is_png folder/x
 rm folder/x
 
+# A PNG does without OpenImageIO, whose libraries take longer to load than the picture.
+LD_DEBUG=files "$csgcast" render part.csg "${small[@]}" -o x.png 2>loaded
+check "a PNG loads libpng" grep -q libpng loaded
+check "a PNG loads no OpenImageIO" test "$(grep -c OpenImageIO loaded)" = 0
+LD_DEBUG=files "$csgcast" render part.csg "${small[@]}" -o x.tif 2>loaded
+check "a TIFF does" grep -q OpenImageIO loaded
+rm x.png x.tif loaded
+
 # Streams.
 "$csgcast" render - -o - "${small[@]}" <part.csg >piped.png 2>err
 report $? "standard input to standard output"
