@@ -15,6 +15,7 @@ struct revolution {
     struct csg_turn turn;
     struct csg_facets facets;
     bool has_file;
+    bool rounds_up; /* the number of segments of a part of a turn */
 };
 
 /* OpenSCAD turns all round for an angle outside of (-360, 360], and starts on -x then. */
@@ -28,17 +29,20 @@ static void read_revolution(const struct csg_args *args, struct revolution *to)
     to->turn.start = csg_args_number(args, "start", angle >= 360 ? 180 : 0, NULL);
     if (!isfinite(to->turn.start))
         to->turn.start = 0;
+    to->rounds_up = csg_args_find(args, "start") != NULL;
     to->facets = csg_args_facets(args);
     to->turn.facetted = csg_facets_wanted(args, &to->facets);
     to->has_file = file && file->type == CSG_VALUE_STRING && file->num > 0;
 }
 
-/* Segments of the turn: those of a circle as large as the profile. */
+/* Segments of the turn: those of a circle as large as the profile. OpenSCAD 2021.01 leaves a part
+ * of one out (GeometryEvaluator.cc), 2025, which always writes start, does not. */
 static int count_segments(const struct revolution *revolution, const struct csg_profile *profile)
 {
     const double radius = fmax(profile->hi, 0) - fmin(profile->lo, 0);
     const int all_round = csg_facets_count(&revolution->facets, radius);
-    const double num = ceil(fmax(all_round * fabs(revolution->turn.angle) / 360, 1));
+    const double part = fmax(all_round * fabs(revolution->turn.angle) / 360, 1);
+    const double num = revolution->rounds_up ? ceil(part) : floor(part);
     return num < max_segments ? (int)num : max_segments;
 }
 
