@@ -41,6 +41,7 @@ void csg_text_finish(struct csg_text_state *state)
 struct contour {
     size_t begin, end; /* of its points */
     double area;       /* twice, positive counter-clockwise */
+    size_t owner;      /* see find_owner */
 };
 
 /* The glyph at hand. */
@@ -86,19 +87,29 @@ static bool add_contour(const struct glyph *glyph, const struct contour *contour
     return ok;
 }
 
-/* The smallest contour that goes the way of outer ones and has hole in it; num where none has. */
-static size_t find_owner(const struct glyph *glyph, const struct contour *hole)
+/* The smallest larger contour that goes the other way and has this one in it; num where none has.
+ */
+static size_t find_owner(const struct glyph *glyph, const struct contour *inner)
 {
     const size_t num = glyph->contours.num;
     size_t best = num;
     for (size_t i = 0; i < num; i++) {
         const struct contour *contour = &glyph->contours.data[i];
-        if ((contour->area > 0) != (hole->area > 0) &&
-            is_around(glyph, contour, glyph->points.data[hole->begin]) &&
+        if (fabs(contour->area) > fabs(inner->area) && (contour->area > 0) != (inner->area > 0) &&
+            is_around(glyph, contour, glyph->points.data[inner->begin]) &&
             (best == num || fabs(contour->area) < fabs(glyph->contours.data[best].area)))
             best = i;
     }
     return best;
+}
+
+/* Whether the contour is no hole: of those around it, each in the next, the number is even. */
+static bool is_outer(const struct glyph *glyph, size_t i)
+{
+    bool outer = true;
+    for (; glyph->contours.data[i].owner < glyph->contours.num; i = glyph->contours.data[i].owner)
+        outer = !outer;
+    return outer;
 }
 
 static double rounding_of(const struct glyph *glyph, const struct contour *contour)
@@ -116,20 +127,23 @@ static double rounding_of(const struct glyph *glyph, const struct contour *conto
 
 /*
  * OpenSCAD fills what contours wind round in either direction. Holes wind the other way than the
- * contour they are in, so each outer contour with its holes is one figure; figures unite.
+ * contour they are in, and islands in a hole the other way than the hole, so each outer contour
+ * with the holes right in it is one figure; figures unite.
  */
-static bool add_figures(const struct glyph *glyph)
+static bool add_figures(struct glyph *glyph)
 {
     const size_t num = glyph->contours.num;
     bool ok = true;
+    for (size_t i = 0; i < num; i++)
+        glyph->contours.data[i].owner = find_owner(glyph, &glyph->contours.data[i]);
     for (size_t i = 0; i < num && ok; i++) {
         const struct contour *outer = &glyph->contours.data[i];
-        if (find_owner(glyph, outer) != num)
+        if (!is_outer(glyph, i))
             continue;
         ok = csg_drawing_add_figure(glyph->drawing, rounding_of(glyph, outer)) &&
              add_contour(glyph, outer);
         for (size_t j = 0; j < num && ok; j++)
-            if (j != i && find_owner(glyph, &glyph->contours.data[j]) == i)
+            if (glyph->contours.data[j].owner == i)
                 ok = add_contour(glyph, &glyph->contours.data[j]);
     }
     return ok;
