@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "scene/transforms.h"
+
 /* A node whose children are being read. */
 struct frame {
     uint32_t node, end; /* in the document */
@@ -54,6 +56,46 @@ static bool enter_space(struct reader *reader, uint32_t node, struct csg_space *
     return true;
 }
 
+/* What makes a new figure of what is in it does so before the nodes around it move that: sums are
+ * about the origin, sizes along the axes, and offsets the same in all directions. */
+static struct csg_space own_space(const struct csg_space *around)
+{
+    struct csg_space space = csg_space_world;
+    space.in_boolean = around->in_boolean;
+    return space;
+}
+
+static struct csg_box box_of(const struct csg_drawing *drawing, const struct csg_figure *figure)
+{
+    struct csg_box box = csg_box_empty;
+    for (uint32_t i = figure->begin; i < figure->end; i++)
+        for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++)
+            csg_box_extend(&box, csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
+    return box;
+}
+
+/* Moves the new figures to where their node is; a space without an inverse leaves nothing. */
+static bool place(struct reader *reader, uint32_t draw, const struct csg_space *space)
+{
+    struct csg_drawing *drawing = reader->drawing;
+    struct csg_map inverse;
+    if (space->is_empty || !csg_map_invert(&space->map, &inverse)) {
+        csg_drawing_cut(drawing, draw);
+        return csg_drawing_open(drawing, CSG_DRAW_UNION) || no_memory(reader);
+    }
+    for (uint32_t i = draw; i < drawing->nodes.num; i++) {
+        struct csg_draw_node *node = &drawing->nodes.data[i];
+        if (node->op != CSG_DRAW_FIGURE)
+            continue;
+        struct csg_figure *figure = &drawing->figures.data[node->figure];
+        const struct csg_box box = box_of(drawing, figure);
+        figure->rounding += csg_space_rounding(space, &box) / csg_space_stretch(space);
+    }
+    return csg_drawing_map(drawing, draw, (uint32_t)drawing->nodes.num, &space->map,
+                           csg_space_stretch(space)) ||
+           no_memory(reader);
+}
+
 static bool open_node(struct reader *reader, uint32_t node)
 {
     const struct csg_meaning *meaning = &reader->walk->builder->meanings[node];
@@ -65,6 +107,9 @@ static bool open_node(struct reader *reader, uint32_t node)
         meaning->role == CSG_ROLE_DIFFERENCE || meaning->role == CSG_ROLE_INTERSECTION;
     if (!enter_space(reader, node, &frame.space))
         return false;
+    const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
+    if (ops && ops->flatten)
+        frame.space = own_space(&frame.space);
     return (csg_drawing_open(reader->drawing, op_of(meaning->role)) &&
             csg_array_push(&reader->frames, frame)) ||
            no_memory(reader);
@@ -80,7 +125,8 @@ static bool close_node(struct reader *reader)
         return true;
     struct csg_args args;
     return csg_walk_args(reader->walk, frame.node, ops->name, ops->parameters, &args) &&
-           ops->flatten(reader->walk, frame.node, &args, reader->drawing, frame.draw);
+           ops->flatten(reader->walk, frame.node, &args, reader->drawing, frame.draw) &&
+           place(reader, frame.draw, &reader->frames.data[reader->frames.num - 1].space);
 }
 
 static bool read_figure(struct reader *reader, uint32_t node)
