@@ -25,8 +25,8 @@
 #define MODULE_NAME "csgcast-image.so"
 
 enum {
-    MAX_FORMAT = 16,       /* characters of an extension, with its end */
-    MAX_CHANNELS = 9,      /* R G B A Z N.X N.Y N.Z id */
+    MAX_FORMAT = 16,  /* characters of an extension, with its end */
+    MAX_CHANNELS = 9, /* R G B A Z N.X N.Y N.Z id */
 };
 
 /* ---- the module ---- */
@@ -217,10 +217,10 @@ static bool check_arguments(const char *path, int width, int height,
     return true;
 }
 
-static bool is_opaque(const float *rgba, size_t num_pixels)
+static bool is_opaque(const struct csgcast_image *image, size_t num_pixels)
 {
     for (size_t i = 0; i < num_pixels; i++)
-        if (rgba[4 * i + 3] != 1)
+        if (image->rgba ? image->rgba[4 * i + 3] != 1 : image->rgba8[4 * i + 3] != 255)
             return false;
     return true;
 }
@@ -230,8 +230,16 @@ static int add_channels(struct csg_image_channel *channels, int num_before,
                         const char *const *names, int num, const float *values, size_t stride)
 {
     for (int i = 0; i < num; i++)
-        channels[num_before + i] = (struct csg_image_channel){names[i], values + i, stride};
+        channels[num_before + i] =
+            (struct csg_image_channel){.name = names[i], .first = values + i, .stride = stride};
     return num_before + num;
+}
+
+static void add_bytes(struct csg_image_channel channels[4], const char *const *names, int num,
+                      const uint8_t *bytes)
+{
+    for (int i = 0; i < num; i++)
+        channels[i] = (struct csg_image_channel){.name = names[i], .bytes = bytes + i, .stride = 4};
 }
 
 /* Without transparency there is no A, as in OpenSCAD's pictures, but EXR, for tools, has it. */
@@ -243,10 +251,12 @@ static int list_channels(const struct csgcast_image *image, size_t num_pixels, c
                              *const normal[] = {"N.X", "N.Y", "N.Z"}, *const id[] = {"id"};
     const bool keeps_alpha = is_exr(format) || has_aov(params);
     int num = 0;
+    if (image->rgba || image->rgba8)
+        num = keeps_alpha || !is_opaque(image, num_pixels) ? 4 : 3;
     if (image->rgba)
-        num = add_channels(channels, num, color,
-                           keeps_alpha || !is_opaque(image->rgba, num_pixels) ? 4 : 3, image->rgba,
-                           4);
+        add_channels(channels, 0, color, num, image->rgba, 4);
+    else if (image->rgba8)
+        add_bytes(channels, color, num, image->rgba8);
     if (params->write_z)
         num = add_channels(channels, num, z, 1, image->z, 1);
     if (params->write_normal)
@@ -268,7 +278,7 @@ static bool write_to(struct csg_destination *to, struct csg_image_file *file)
     return false;
 }
 
-/* What is written is float: the bytes of rgba8 come back from it as they were. */
+/* OpenImageIO is given floats: the bytes of rgba8 come back from them as they were. */
 static float *expand_bytes(const uint8_t *bytes, size_t num)
 {
     float *values = malloc(num * sizeof *values);
@@ -277,10 +287,10 @@ static float *expand_bytes(const uint8_t *bytes, size_t num)
     return values;
 }
 
-static bool write_image(const char *path, int width, int height, const struct csgcast_image *image,
+static bool write_image(const char *path, const char *format, int width, int height,
+                        const struct csgcast_image *image,
                         const struct csgcast_write_params *params, const struct csg_log *log)
 {
-    char format[MAX_FORMAT];
     struct csg_image_channel channels[MAX_CHANNELS];
     struct csg_image_file file = {.format = format,
                                   .width = width,
@@ -288,8 +298,7 @@ static bool write_image(const char *path, int width, int height, const struct cs
                                   .channels = channels,
                                   .metadata = params->metadata,
                                   .num_metadata = params->num_metadata};
-    if (!find_format(path, params, log, format) ||
-        !find_bits(path, format, params, log, &file.bits))
+    if (!find_bits(path, format, params, log, &file.bits))
         return false;
     file.num_channels =
         list_channels(image, (size_t)width * (size_t)height, format, params, channels);
@@ -305,14 +314,17 @@ bool csgcast_image_write(const char *path, int width, int height, const struct c
     static const struct csgcast_write_params defaults;
     params = params ? params : &defaults;
     const struct csg_log log = {params->log, params->log_user};
-    if (!check_arguments(path, width, height, image, params, &log))
+    char format[MAX_FORMAT];
+    if (!check_arguments(path, width, height, image, params, &log) ||
+        !find_format(path, params, &log, format))
         return false;
-    if (image->rgba || !image->rgba8)
-        return write_image(path, width, height, image, params, &log);
+    if (image->rgba || !image->rgba8 || is_png(format))
+        return write_image(path, format, width, height, image, params, &log);
     struct csgcast_image expanded = *image;
     expanded.rgba = expand_bytes(image->rgba8, 4 * (size_t)width * (size_t)height);
-    const bool ok = expanded.rgba ? write_image(path, width, height, &expanded, params, &log)
-                                  : csg_log_memory(&log);
+    const bool ok = expanded.rgba
+                        ? write_image(path, format, width, height, &expanded, params, &log)
+                        : csg_log_memory(&log);
     free(expanded.rgba);
     return ok;
 }

@@ -18,7 +18,8 @@ extern "C" {
 struct csg_image_channel {
     const char *name; /* as in the file: "R", "N.X" */
     const float *first;
-    size_t stride; /* floats */
+    size_t stride;        /* floats, or bytes */
+    const uint8_t *bytes; /* PNG only: instead of first, the values 0 to 1 as 0 to 255; or NULL */
 };
 
 struct csg_image_file {
@@ -37,8 +38,8 @@ struct csg_image_error {
 };
 
 /* The module's one function, named with the version of this border. false: error is filled. */
-#define CSG_IMAGE_MODULE_WRITE csg_image_module_write_1
-#define CSG_IMAGE_MODULE_WRITE_NAME "csg_image_module_write_1"
+#define CSG_IMAGE_MODULE_WRITE csg_image_module_write_2
+#define CSG_IMAGE_MODULE_WRITE_NAME "csg_image_module_write_2"
 
 typedef bool csg_image_module_write_fn(const struct csg_image_file *file,
                                        struct csg_image_error *error);

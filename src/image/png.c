@@ -122,9 +122,26 @@ static unsigned quantise(float value, float most)
     return (unsigned)((value > 0 ? value < 1 ? value : 1 : 0) * most + 0.5f);
 }
 
+/* 65535 is 257 times 255: the step of 16 bits that is nearest to a byte's value is that value. */
+static void gather_bytes(const struct csg_image_file *file, size_t start, png_bytep row)
+{
+    const size_t width = (size_t)file->width, num = (size_t)file->num_channels;
+    const size_t repeats = file->bits == 8 ? 1 : 2;
+    for (size_t c = 0; c < num; c++) {
+        const size_t stride = file->channels[c].stride;
+        const uint8_t *from = file->channels[c].bytes + start * stride;
+        for (size_t x = 0; x < width; x++)
+            memset(row + repeats * (x * num + c), from[x * stride], repeats);
+    }
+}
+
 static void gather_row(const struct csg_image_file *file, int y, png_bytep row)
 {
     const size_t width = (size_t)file->width, num = (size_t)file->num_channels;
+    if (file->channels[0].bytes) {
+        gather_bytes(file, (size_t)y * width, row);
+        return;
+    }
     for (size_t c = 0; c < num; c++) {
         const size_t stride = file->channels[c].stride;
         const float *from = file->channels[c].first + (size_t)y * width * stride;

@@ -66,8 +66,7 @@ static void check_example(struct csgcast_renderer *renderer, const struct exampl
     const size_t num = 4 * (size_t)example->width * (size_t)example->height;
     struct csgcast_view view = {
         .width = example->width, .height = example->height, .variant = example->variant};
-    struct csgcast_scene *scene =
-        csgcast_scene_parse(example->text, strlen(example->text), NULL);
+    struct csgcast_scene *scene = csgcast_scene_parse(example->text, strlen(example->text), NULL);
     float *rgba = calloc(num, sizeof *rgba), *z = calloc(num / 4, sizeof *z);
     uint8_t *both = malloc(num), *alone = malloc(num), *deep = malloc(num);
     const struct csgcast_image floats = {.rgba = rgba, .rgba8 = both}, bytes = {.rgba8 = alone},
@@ -113,13 +112,29 @@ static size_t read_file(const char *path, char *content, size_t size)
     return num;
 }
 
+enum { SIZE = 64, NUM = SIZE * SIZE * 4, MAX_FILE = 1 << 17 };
+
+static void check_same_file(const struct csgcast_image *floats, const struct csgcast_image *eight,
+                            struct csgcast_write_params params, const char *name)
+{
+    static char a[MAX_FILE], b[MAX_FILE];
+    char path[] = "/tmp/csgcast-bytes-XXXXXX";
+    const int file = mkstemp(path);
+    const bool first = csgcast_image_write(path, SIZE, SIZE, floats, &params);
+    const size_t num_a = read_file(path, a, sizeof a);
+    const bool second = csgcast_image_write(path, SIZE, SIZE, eight, &params);
+    const size_t num_b = read_file(path, b, sizeof b);
+    check(file >= 0 && first && second && num_a && num_a == num_b && !memcmp(a, b, num_a),
+          "the same file from floats and from bytes", name);
+    close(file);
+    remove(path);
+}
+
 /* All values of a byte, and floats that round to each from both sides. */
 static void check_files(void)
 {
-    enum { SIZE = 64, NUM = SIZE * SIZE * 4, MAX_FILE = 1 << 17 };
     static float rgba[NUM];
     static uint8_t bytes[NUM];
-    static char a[MAX_FILE], b[MAX_FILE];
     static const char *const formats[] = {"png", "tif", "bmp"};
     for (int i = 0; i < NUM; i++) {
         bytes[i] = (uint8_t)(i % 4 == 3 ? 255 : i / 4 % 256);
@@ -127,19 +142,25 @@ static void check_files(void)
         rgba[i] = i % 4 == 3 ? 1 : fminf(fmaxf(((float)bytes[i] + shift) / 255, 0), 1);
     }
     const struct csgcast_image floats = {.rgba = rgba}, eight = {.rgba8 = bytes};
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        char path[] = "/tmp/csgcast-bytes-XXXXXX";
-        const int file = mkstemp(path);
-        const struct csgcast_write_params params = {.format = formats[i]};
-        const bool first = csgcast_image_write(path, SIZE, SIZE, &floats, &params);
-        const size_t num_a = read_file(path, a, sizeof a);
-        const bool second = csgcast_image_write(path, SIZE, SIZE, &eight, &params);
-        const size_t num_b = read_file(path, b, sizeof b);
-        check(file >= 0 && first && second && num_a && num_a == num_b && !memcmp(a, b, num_a),
-              "the same file from floats and from bytes", formats[i]);
-        close(file);
-        remove(path);
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        check_same_file(&floats, &eight, (struct csgcast_write_params){.format = formats[i]},
+                        formats[i]);
+}
+
+/* With alpha, and with more bits than a byte has. */
+static void check_deep_files(void)
+{
+    static float rgba[NUM];
+    static uint8_t bytes[NUM];
+    for (int i = 0; i < NUM; i++) {
+        bytes[i] = (uint8_t)(i * 7 + i / 256);
+        rgba[i] = (float)bytes[i] / 255;
     }
+    const struct csgcast_image floats = {.rgba = rgba}, eight = {.rgba8 = bytes};
+    check_same_file(&floats, &eight, (struct csgcast_write_params){.format = "png"}, "png, alpha");
+    check_same_file(&floats, &eight, (struct csgcast_write_params){.format = "png", .bits = 16},
+                    "png, 16 bits");
+    check_same_file(&floats, &eight, (struct csgcast_write_params){.format = "exr"}, "exr");
 }
 
 int main(void)
@@ -147,5 +168,6 @@ int main(void)
     check_backend(CSGCAST_BACKEND_AUTO);
     check_backend(CSGCAST_BACKEND_REFERENCE);
     check_files();
+    check_deep_files();
     return num_failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }

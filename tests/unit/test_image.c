@@ -33,8 +33,7 @@ static void check(bool ok, const char *name)
 
 static float rgba[NUM_PIXELS * 4], depth[NUM_PIXELS], normal[NUM_PIXELS * 3], id[NUM_PIXELS];
 
-static const struct csgcast_image image = {
-    .rgba = rgba, .z = depth, .normal = normal, .id = id};
+static const struct csgcast_image image = {.rgba = rgba, .z = depth, .normal = normal, .id = id};
 
 static const struct csgcast_metadata metadata[] = {
     {"csgcast:scene", "part.csg"},
@@ -155,7 +154,7 @@ static bool write_with_module(const char *path, int bits, int num_channels)
     csg_image_module_write_fn *write_file = NULL;
     memcpy(&write_file, &address, sizeof write_file);
     for (int c = 0; c < num_channels; c++)
-        channels[c] = (struct csg_image_channel){names[c], rgba + c, 4};
+        channels[c] = (struct csg_image_channel){.name = names[c], .first = rgba + c, .stride = 4};
     const struct csg_image_file file = {path,     "png",        WIDTH,    HEIGHT, bits,
                                         channels, num_channels, metadata, 2};
     const bool ok = write_file && write_file(&file, &error);
