@@ -194,6 +194,9 @@ static const char *find_string(const struct csg_args *args, const char *name, co
     return value && value->type == CSG_VALUE_STRING ? value->string : fallback;
 }
 
+/* Of one curve. An extrusion cannot have more corners. */
+#define MAX_SEGMENTS 20000
+
 /* An eighth of the segments of a circle of radius size for each curve, as OpenSCAD has it. */
 static struct csg_text read_text(const struct csg_args *args, double *rounding)
 {
@@ -247,6 +250,12 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
         csg_walk_unsupported(walk, node,
                              "text needs csgcast-text.so, which is missing, or lacks its libraries "
                              "(Debian: libfreetype6 libharfbuzz0b libfontconfig1)");
+    } else if (ok && is_there && text.segments > MAX_SEGMENTS) {
+        csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
+                         csg_walk_node(walk, node)->place,
+                         "text: $fn makes %d segments of each curve, the most is %d; use a $fn "
+                         "below 160000",
+                         text.segments, MAX_SEGMENTS);
     } else if (ok && is_there) {
         glyph.rounding = rounding / fabs(text.size);
         ok = add_text(walk, node, &text, &glyph);
