@@ -246,16 +246,16 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
     const struct csg_text text = read_text(args, &rounding);
     const bool is_there = isfinite(text.size) && text.size != 0 && isfinite(text.spacing) &&
                           text.text[0] && !space->is_empty && csg_map_invert(&space->map, &inverse);
-    if (ok && is_there && !state->module && !open_module(state)) {
-        csg_walk_unsupported(walk, node,
-                             "text needs csgcast-text.so, which is missing, or lacks its libraries "
-                             "(Debian: libfreetype6 libharfbuzz0b libfontconfig1)");
-    } else if (ok && is_there && text.segments > MAX_SEGMENTS) {
+    if (ok && is_there && text.segments > MAX_SEGMENTS) {
         csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
                          csg_walk_node(walk, node)->place,
                          "text: $fn makes %d segments of each curve, the most is %d; use a $fn "
                          "below 160000",
                          text.segments, MAX_SEGMENTS);
+    } else if (ok && is_there && !state->module && !open_module(state)) {
+        csg_walk_unsupported(walk, node,
+                             "text needs csgcast-text.so, which is missing, or lacks its libraries "
+                             "(Debian: libfreetype6 libharfbuzz0b libfontconfig1)");
     } else if (ok && is_there) {
         glyph.rounding = rounding / fabs(text.size);
         ok = add_text(walk, node, &text, &glyph);
