@@ -174,7 +174,8 @@ static bool plan(struct filler *filler)
     if (!csg_array_reserve(&out->instances, floats + 1) ||
         !csg_array_reserve(&filler->frame->texels, added))
         return false;
-    memset(filler->frame->texels.data + filler->frame->texels.num, 0, added * sizeof(float));
+    if (added > 0)
+        memset(filler->frame->texels.data + filler->frame->texels.num, 0, added * sizeof(float));
     filler->frame->texels.num += added;
     out->instances.num = floats;
     return true;

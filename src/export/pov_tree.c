@@ -12,7 +12,7 @@
 
 /* What is still to be written, last first. */
 struct item {
-    enum { NODE, CLOSE, CLOSE_INVERSE } what;
+    enum what { NODE, CLOSE, CLOSE_INVERSE } what;
     uint32_t node;
     bool flip; /* NODE: the complement of it */
 };
@@ -48,7 +48,7 @@ static bool is_outer(const struct writer *writer, uint32_t node, bool flip)
     return writer->is_outer[node - writer->object->begin] != flip;
 }
 
-static void push(struct writer *writer, int what, uint32_t node, bool flip)
+static void push(struct writer *writer, enum what what, uint32_t node, bool flip)
 {
     const struct item item = {what, node, flip};
     writer->ok = writer->ok && csg_array_push(&writer->items, item);

@@ -30,8 +30,8 @@ static const char *const formulas[] = {
     "difference() { cube(size = [3, 3, 3]); P }",
     "difference() { P Q }",
     "intersection() { P Q sphere(r = 2.5); }",
-    "difference() { cube(size = [8, 8, 8], center = true); union() { P "
-    "multmatrix([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]]) Q } }",
+    ("difference() { cube(size = [8, 8, 8], center = true); union() { P "
+     "multmatrix([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]]) Q } }"),
     "T",
     "difference() { T U sphere(r = 2); }",
     "difference() { sphere(r = 3); T }",
