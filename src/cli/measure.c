@@ -7,24 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "common/clock.h"
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 #define EDIT_STEP 0.01   /* of the scene's size: how far a leaf is moved at most */
 #define DEGREE (3.14159265358979323846 / 180)
-
-static double clock_ms(clockid_t clock)
-{
-    struct timespec now;
-    clock_gettime(clock, &now);
-    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
-}
-
-static double now_ms(void)
-{
-    return clock_ms(CLOCK_MONOTONIC);
-}
 
 static int compare(const void *a, const void *b)
 {
@@ -126,29 +115,29 @@ static bool draw_first(struct run *run)
 {
     struct csgcast_scene_params params = run->options->scene;
     params.editable = run->options->edit;
-    const double begun = now_ms();
+    const double begun = csg_clock_ms();
     run->scene = csgcast_scene_load(run->input, &params);
-    run->result->load_ms = now_ms() - begun;
+    run->result->load_ms = csg_clock_ms() - begun;
     run->renderer = run->scene ? csgcast_renderer_create(&run->options->renderer) : NULL;
     if (!run->renderer || !draw(run))
         return false;
-    run->result->first_image_ms = now_ms() - begun;
+    run->result->first_image_ms = csg_clock_ms() - begun;
     run->result->first_programs = run->result->stats.programs;
     return true;
 }
 
 static bool draw_frame(struct run *run, int frame)
 {
-    const double begun = now_ms(), worked = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    const double begun = csg_clock_ms(), worked = csg_clock_work_ms();
     if (run->options->orbit)
         turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
     if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
         return false;
-    run->edit_ms[frame] = run->options->edit ? now_ms() - begun : 0;
+    run->edit_ms[frame] = run->options->edit ? csg_clock_ms() - begun : 0;
     if (!draw(run))
         return false;
-    run->frame_ms[frame] = now_ms() - begun;
-    run->work_ms[frame] = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - worked;
+    run->frame_ms[frame] = csg_clock_ms() - begun;
+    run->work_ms[frame] = csg_clock_work_ms() - worked;
     run->cpu_ms[frame] = run->result->stats.cpu_ms;
     if (is_verbose(run))
         fprintf(stderr, "\r%s: frame %d of %d \r", run->input, frame + 1, run->result->num_frames);

@@ -5,24 +5,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+
+#include "common/clock.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
 #define FOV 22.5
 
 const unsigned char peer_background[3] = {255, 255, 229};
-
-static double clock_ms(clockid_t clock)
-{
-    struct timespec now;
-    clock_gettime(clock, &now);
-    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
-}
-
-static double now_ms(void)
-{
-    return clock_ms(CLOCK_MONOTONIC);
-}
 
 static bool parse_option(struct peer *peer, const char *text)
 {
@@ -35,7 +24,7 @@ static bool parse_option(struct peer *peer, const char *text)
 
 bool peer_parse(struct peer *peer, int argc, char **argv)
 {
-    *peer = (struct peer){.width = 512, .height = 512, .num_frames = 5, .begun = now_ms()};
+    *peer = (struct peer){.width = 512, .height = 512, .num_frames = 5, .begun = csg_clock_ms()};
     bool good = argc > 2;
     for (int i = 3; i < argc && good; i++) {
         if (!strcmp(argv[i], "-o") && i + 1 < argc)
@@ -154,15 +143,15 @@ static bool draw_frames(const struct peer *peer, peer_draw_fn *draw, void *user,
     double *work = times + num;
     struct peer_camera camera = peer_camera(peer, 0);
     bool good = draw(user, &camera, rgba);
-    const double first = now_ms() - peer->begun;
+    const double first = csg_clock_ms() - peer->begun;
     if (good && peer->output)
         good = write_picture(peer, rgba, flipped);
     for (int frame = 0; frame < num && good; frame++) {
         camera = peer_camera(peer, frame + 1);
-        const double begun = now_ms(), worked = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+        const double begun = csg_clock_ms(), worked = csg_clock_work_ms();
         good = draw(user, &camera, rgba);
-        times[frame] = now_ms() - begun;
-        work[frame] = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - worked;
+        times[frame] = csg_clock_ms() - begun;
+        work[frame] = csg_clock_work_ms() - worked;
     }
     if (good)
         printf("%.3f %.3f %.1f\n", median(times, num), median(work, num), first);

@@ -44,26 +44,16 @@ static double on_grid(struct dice *dice, double lo, double hi)
     return floor(64 * dice_between(dice, lo, hi)) / 64;
 }
 
-static void turn(struct map *map, int axis, double angle)
-{
-    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-    for (int i = 0; i < 3; i++) {
-        const double a = map->m[i][j], b = map->m[i][k];
-        map->m[i][j] = a * cos(angle) + b * sin(angle);
-        map->m[i][k] = b * cos(angle) - a * sin(angle);
-    }
-}
-
 /* A turn, often about one axis by a round angle, and a move of some reach. */
 static struct map random_map(struct dice *dice, double reach)
 {
     const double degree = 3.14159265358979323846 / 180;
     struct map map = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
     if (dice_pick(dice, 2))
-        turn(&map, dice_pick(dice, 3), 15 * dice_pick(dice, 24) * degree);
+        map_turn_by(&map, dice_pick(dice, 3), 15 * dice_pick(dice, 24) * degree);
     else
         for (int i = 0; i < 3; i++)
-            turn(&map, i, dice_between(dice, 0, 6.28));
+            map_turn_by(&map, i, dice_between(dice, 0, 6.28));
     for (int i = 0; i < 3; i++)
         map.m[i][3] = dice_between(dice, -reach, reach);
     return map;

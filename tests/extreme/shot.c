@@ -16,21 +16,11 @@ struct map map_move(double x, double y, double z)
     return (struct map){{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}}};
 }
 
-static void turn(struct map *map, int axis, double angle)
-{
-    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-    for (int i = 0; i < 3; i++) {
-        const double a = map->m[i][j], b = map->m[i][k];
-        map->m[i][j] = a * cos(angle) + b * sin(angle);
-        map->m[i][k] = b * cos(angle) - a * sin(angle);
-    }
-}
-
 struct map map_turn(struct dice *dice)
 {
     struct map map = map_identity;
     for (int i = 0; i < 3; i++)
-        turn(&map, i, dice_between(dice, 0, 6.28));
+        map_turn_by(&map, i, dice_between(dice, 0, 6.28));
     return map;
 }
 

@@ -374,6 +374,16 @@ struct map map_multiply(const struct map *a, const struct map *b)
     return c;
 }
 
+void map_turn_by(struct map *map, int axis, double angle)
+{
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    for (int i = 0; i < 3; i++) {
+        const double a = map->m[i][j], b = map->m[i][k];
+        map->m[i][j] = a * cos(angle) + b * sin(angle);
+        map->m[i][k] = b * cos(angle) - a * sin(angle);
+    }
+}
+
 static void put_alias(struct text *text, const struct ideal_solid *solid, enum text_digits digits)
 {
     text_put(text, "intersection() {\n");

@@ -53,6 +53,8 @@ struct ideal_solid flat_ideal(const struct flat *flat);
 
 /* The map that applies b first, then a. */
 struct map map_multiply(const struct map *a, const struct map *b);
+/* Turns the map's own axes by an angle in radians about its axis 0, 1 or 2. */
+void map_turn_by(struct map *map, int axis, double angle);
 
 void map_put(struct text *text, const struct map *map, enum text_digits digits);
 

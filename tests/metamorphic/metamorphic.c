@@ -139,6 +139,19 @@ static size_t count_precise(const struct run *run)
     return stats.precise_objects;
 }
 
+/* Judges the two pictures, if they have been drawn, and keeps the texts of what differs. */
+static void finish_texts(struct run *run, const char *name, bool drawn, bool exact,
+                         struct text *first, struct text *second)
+{
+    if (!drawn || !judge(run, name, run->size, exact)) {
+        run->failed += !drawn;
+        save(name, "first", first);
+        save(name, "second", second);
+    }
+    text_free(first);
+    text_free(second);
+}
+
 /* Both scenes from the same camera. */
 static void check_pair(struct run *run, const struct pair *pair, const struct operands *operands,
                        struct dice *dice, const char *name)
@@ -152,15 +165,9 @@ static void check_pair(struct run *run, const struct pair *pair, const struct op
     size_t num_precise = count_precise(run);
     drawn = drawn && picture_render(run->renderer, b, &view, &run->second);
     num_precise += count_precise(run);
-    if (!drawn || !judge(run, name, run->size, pair->exact && num_precise == 0)) {
-        run->failed += !drawn;
-        save(name, "first", &first);
-        save(name, "second", &second);
-    }
+    finish_texts(run, name, drawn, pair->exact && num_precise == 0, &first, &second);
     csgcast_scene_destroy(a);
     csgcast_scene_destroy(b);
-    text_free(&first);
-    text_free(&second);
 }
 
 /* A map of the scene and what it does to the camera: p -> scale (+-x, y, z) + move, then turned
@@ -252,15 +259,9 @@ static void check_motion(struct run *run, const struct motion *motion,
     move_camera(&view.camera, motion);
     drawn = drawn && picture_render(run->renderer, b, &view, &run->second);
     undo(&run->second, motion);
-    if (!drawn || !judge(run, name, run->size, false)) {
-        run->failed += !drawn;
-        save(name, "first", &first);
-        save(name, "second", &second);
-    }
+    finish_texts(run, name, drawn, false, &first, &second);
     csgcast_scene_destroy(a);
     csgcast_scene_destroy(b);
-    text_free(&first);
-    text_free(&second);
 }
 
 static struct operands random_operands(struct random_state *random, bool grid)
