@@ -6,37 +6,19 @@
  * buffer, blended. Large pictures are drawn in bands.
  */
 
-#include "render/renderer.h"
+#include "render/picture.h"
 
 #include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/clock.h"
 #include "pack/textbook.h"
 
-#ifndef GL_PACK_INVERT_MESA
-#define GL_PACK_INVERT_MESA 0x8758 /* GL_MESA_pack_invert: rows from the top; not in all headers */
-#endif
-
 #define MAX_BAND_PIXELS (4 << 20)
 
 /* Overlays coincide with surfaces that they repeat: let them win by some steps of the buffer. */
 #define OVERLAY_DEPTH_BIAS 2e-6f
-
-struct picture {
-    struct csgcast_renderer *renderer;
-    struct csg_gl *gl;
-    const struct csg_request *request;
-    struct csg_batches batches;
-    GLuint shade;
-    int first_row, num_rows; /* of the band, counted from the bottom */
-    bool want_geometry, want_leaf;
-    bool bytes;    /* colours go to the caller as they are drawn, and nothing else */
-    float rect[4]; /* of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture */
-    uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
-};
 
 /* Which batches a round draws. */
 struct round {
@@ -53,7 +35,7 @@ struct round {
 /* Translucent objects come one after the other, as OpenSCAD draws them; more than these together. */
 #define MAX_OVERLAYS 64
 
-static void set_textbook_rays(const struct picture *picture, GLuint program)
+static void set_textbook_rays(const struct csg_picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
     const struct csg_textbook_rays rays = csg_textbook_rays(
@@ -63,7 +45,7 @@ static void set_textbook_rays(const struct picture *picture, GLuint program)
     gl->Uniform1f(gl->GetUniformLocation(program, "csg_ray_start"), rays.start);
 }
 
-static void set_screen(const struct picture *picture, GLuint program)
+static void set_screen(const struct csg_picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
     const struct csg_screen *screen = &picture->renderer->frame.screen;
@@ -83,7 +65,7 @@ static void set_screen(const struct picture *picture, GLuint program)
 }
 
 /* Many batches share a program: its uniforms are set once a round. */
-static void use_program(const struct picture *picture, const struct round *round, GLuint program)
+static void use_program(const struct csg_picture *picture, const struct round *round, GLuint program)
 {
     struct csg_programs *programs = &picture->renderer->programs;
     struct csg_compiled *compiled = csg_programs_find(programs, program);
@@ -127,7 +109,7 @@ static void point_crowd(struct csg_gl *gl, const struct csg_crowd_run *run)
     }
 }
 
-static void bind_instances(const struct picture *picture, const struct csg_batch *batch)
+static void bind_instances(const struct csg_picture *picture, const struct csg_batch *batch)
 {
     struct csg_gl *gl = picture->gl;
     const struct csgcast_renderer *renderer = picture->renderer;
@@ -148,7 +130,7 @@ static bool is_in_round(const struct csg_batch *batch, const struct round *round
            (round->object == ALL_OBJECTS || batch->object == round->object);
 }
 
-static void draw_geometry(const struct picture *picture, const struct round *round)
+static void draw_geometry(const struct csg_picture *picture, const struct round *round)
 {
     struct csg_gl *gl = picture->gl;
     const GLuint nothing[4] = {0, 0, 0, 0};
@@ -175,7 +157,7 @@ static void draw_geometry(const struct picture *picture, const struct round *rou
     }
 }
 
-static void set_outputs(const struct picture *picture, const struct round *round)
+static void set_outputs(const struct csg_picture *picture, const struct round *round)
 {
     const GLenum buffers[3] = {
         GL_COLOR_ATTACHMENT0,
@@ -184,7 +166,7 @@ static void set_outputs(const struct picture *picture, const struct round *round
     picture->gl->DrawBuffers(3, buffers);
 }
 
-static void set_shade_uniforms(const struct picture *picture)
+static void set_shade_uniforms(const struct csg_picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     const struct csgcast_frustum *frustum = &picture->request->frustum;
@@ -209,7 +191,7 @@ static void round_color(GLfloat color[4])
 }
 
 /* What a pixel without a surface has. */
-static void clear_outputs(const struct picture *picture, const struct round *round)
+static void clear_outputs(const struct csg_picture *picture, const struct round *round)
 {
     struct csg_gl *gl = picture->gl;
     const float *color = picture->request->scheme->background;
@@ -233,7 +215,7 @@ static int clamp_pixel(double x, int size)
 
 /* Only what is inside of the draws' rectangles needs shading, with a pixel more for the rounding of
  * their corners. false: nothing of the band. */
-static bool set_shaded_part(const struct picture *picture)
+static bool set_shaded_part(const struct csg_picture *picture)
 {
     const int width = picture->request->width, rows = picture->num_rows;
     const double sx = 0.5 * width, sy = 0.5 * picture->request->height;
@@ -248,7 +230,7 @@ static bool set_shaded_part(const struct picture *picture)
     return true;
 }
 
-static void draw_shading(const struct picture *picture, const struct round *round)
+static void draw_shading(const struct csg_picture *picture, const struct round *round)
 {
     struct csg_gl *gl = picture->gl;
     const struct csg_targets *targets = &picture->renderer->targets;
@@ -274,7 +256,7 @@ static void draw_shading(const struct picture *picture, const struct round *roun
 }
 
 /* Reads which pixels the geometry pass gave up on; they are filled after everything else. */
-static void read_visible(const struct picture *picture)
+static void read_visible(const struct csg_picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.geometry_fbo);
@@ -283,7 +265,7 @@ static void read_visible(const struct picture *picture)
                    GL_UNSIGNED_INT, picture->visible);
 }
 
-static void draw_round(const struct picture *picture, const struct round *round)
+static void draw_round(const struct csg_picture *picture, const struct round *round)
 {
     draw_geometry(picture, round);
     draw_shading(picture, round);
@@ -295,7 +277,7 @@ static bool is_opaque(const struct csg_batch *batch)
 }
 
 /* The far sides, then the near ones. */
-static void draw_overlay(const struct picture *picture, const struct csg_batch *batch,
+static void draw_overlay(const struct csg_picture *picture, const struct csg_batch *batch,
                          uint32_t object)
 {
     struct round round = {.overlay = true, .rear = true, .paint = batch->paint,
@@ -307,7 +289,7 @@ static void draw_overlay(const struct picture *picture, const struct csg_batch *
 }
 
 /* Everything of one paint that is not simply opaque, in file order. */
-static void draw_overlays(const struct picture *picture, uint8_t paint)
+static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
 {
     uint32_t last = ALL_OBJECTS;
     size_t num = 0;
@@ -328,7 +310,7 @@ static void draw_overlays(const struct picture *picture, uint8_t paint)
 
 /* Distances and leaves are those of all solids. Where some of them are translucent, colours start
  * anew with the opaque ones; the others come over them. */
-static void draw_band(const struct picture *picture)
+static void draw_band(const struct csg_picture *picture)
 {
     const struct round all = {.geometry = true};
     const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = ALL_OBJECTS};
@@ -345,187 +327,7 @@ static void draw_band(const struct picture *picture)
         draw_overlays(picture, paint);
 }
 
-/* Reads one attachment of the band, components floats a pixel. */
-static void read_attachment(const struct picture *picture, GLenum attachment, GLenum format,
-                            float *pixels)
-{
-    struct csg_gl *gl = picture->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
-    gl->ReadBuffer(attachment);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, format, GL_FLOAT, pixels);
-}
-
-/* The caller's row of a band's row: GL counts from the bottom. */
-static size_t image_row(const struct picture *picture, int row)
-{
-    return (size_t)(picture->request->height - 1 - picture->first_row - row);
-}
-
-static void copy_color(const struct picture *picture, const float *pixels)
-{
-    const size_t stride = 4 * (size_t)picture->request->width;
-    const struct csgcast_image *image = picture->request->image;
-    for (int row = 0; row < picture->num_rows; row++) {
-        const float *from = pixels + (size_t)row * stride;
-        const size_t to = image_row(picture, row) * stride;
-        if (image->rgba)
-            memcpy(image->rgba + to, from, stride * sizeof *from);
-        if (image->rgba8)
-            csg_color_bytes(image->rgba8 + to, from, stride);
-    }
-}
-
-static void copy_geometry(const struct picture *picture, const float *pixels)
-{
-    const struct csgcast_image *image = picture->request->image;
-    const size_t width = (size_t)picture->request->width;
-    for (int row = 0; row < picture->num_rows; row++) {
-        const float *from = pixels + (size_t)row * 4 * width;
-        const size_t to = image_row(picture, row) * width;
-        for (size_t x = 0; x < width; x++, from += 4) {
-            if (image->z)
-                image->z[to + x] = from[3];
-            if (image->normal)
-                memcpy(image->normal + 3 * (to + x), from, 3 * sizeof *from);
-        }
-    }
-}
-
-static void copy_leaf(const struct picture *picture, const float *pixels)
-{
-    const size_t width = (size_t)picture->request->width;
-    for (int row = 0; row < picture->num_rows; row++)
-        memcpy(picture->request->image->id + image_row(picture, row) * width,
-               pixels + (size_t)row * width, width * sizeof *pixels);
-}
-
-static void turn_over(uint8_t *rows, size_t num_rows, size_t stride)
-{
-    for (size_t row = 0; row < num_rows / 2; row++) {
-        uint8_t *a = rows + row * stride, *b = rows + (num_rows - 1 - row) * stride;
-        for (size_t i = 0; i < stride; i++) {
-            const uint8_t kept = a[i];
-            a[i] = b[i];
-            b[i] = kept;
-        }
-    }
-}
-
-/* Straight to the caller's rows. */
-static void read_bytes(const struct picture *picture)
-{
-    struct csg_gl *gl = picture->gl;
-    const size_t stride = 4 * (size_t)picture->request->width;
-    uint8_t *rows = picture->request->image->rgba8 +
-                    stride * image_row(picture, picture->num_rows - 1);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.bytes_fbo);
-    gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    if (gl->has_pack_invert)
-        gl->PixelStorei(GL_PACK_INVERT_MESA, GL_TRUE);
-    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RGBA, GL_UNSIGNED_BYTE,
-                   rows);
-    if (gl->has_pack_invert)
-        gl->PixelStorei(GL_PACK_INVERT_MESA, GL_FALSE);
-    else
-        turn_over(rows, (size_t)picture->num_rows, stride);
-}
-
-static void read_band(const struct picture *picture, float *pixels)
-{
-    if (picture->bytes) {
-        read_bytes(picture);
-        return;
-    }
-    if (picture->request->image->rgba || picture->request->image->rgba8) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, pixels);
-        copy_color(picture, pixels);
-    }
-    if (picture->want_geometry) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT1, GL_RGBA, pixels);
-        copy_geometry(picture, pixels);
-    }
-    if (picture->want_leaf) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT2, GL_RED, pixels);
-        copy_leaf(picture, pixels);
-    }
-}
-
-static bool upload_data(struct csgcast_renderer *renderer)
-{
-    struct csg_gl *gl = renderer->gl;
-    struct csg_frame *frame = &renderer->frame;
-    const size_t row = 4 * (size_t)CSG_DATA_WIDTH;
-    const size_t missing = (row - frame->texels.num % row) % row;
-    if (!csg_array_reserve(&frame->texels, missing + row))
-        return csg_log_memory(&renderer->log);
-    memset(frame->texels.data + frame->texels.num, 0, (missing + row) * sizeof(float));
-    const int rows = (int)((frame->texels.num + missing) / row);
-    GLint max_rows = 0;
-    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_rows);
-    if (rows > max_rows) {
-        csg_log_error(&renderer->log, CSGCAST_MESSAGE_CONTEXT,
-                      "the scene needs a data texture of %d x %d texels and this driver allows %d "
-                      "rows: use --backend=reference, or split the scene",
-                      CSG_DATA_WIDTH, rows, max_rows);
-        return false;
-    }
-    gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D, renderer->data_texture);
-    if (rows > renderer->data_rows) {
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, CSG_DATA_WIDTH, rows, 0, GL_RGBA, GL_FLOAT,
-                       frame->texels.data);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        renderer->data_rows = rows;
-    } else if (rows) {
-        gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, CSG_DATA_WIDTH, rows, GL_RGBA, GL_FLOAT,
-                          frame->texels.data);
-    }
-    renderer->stats.texture_bytes = (size_t)rows * row * sizeof(float);
-    return true;
-}
-
-static bool upload_instances(struct csgcast_renderer *renderer)
-{
-    struct csg_gl *gl = renderer->gl;
-    const size_t num = renderer->frame.draws.num;
-    struct csg_instance *instances = malloc((num + 1) * sizeof *instances);
-    if (!instances)
-        return csg_log_memory(&renderer->log);
-    for (size_t i = 0; i < num; i++)
-        instances[i] = renderer->frame.draws.data[i].instance;
-    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->instance_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(num * sizeof *instances), instances,
-                   GL_STREAM_DRAW);
-    free(instances);
-    const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
-    const size_t crowd_bytes = crowd->runs.num ? crowd->instances.num * sizeof(float) : 0;
-    if (crowd_bytes) {
-        gl->BindBuffer(GL_ARRAY_BUFFER, renderer->crowd_buffer);
-        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)crowd_bytes, crowd->instances.data,
-                       GL_STREAM_DRAW);
-    }
-    renderer->stats.bytes_uploaded =
-        renderer->stats.texture_bytes + num * sizeof *instances + crowd_bytes;
-    return true;
-}
-
-static void ensure_buffers(struct csgcast_renderer *renderer)
-{
-    struct csg_gl *gl = renderer->gl;
-    if (renderer->data_texture)
-        return;
-    gl->GenTextures(1, &renderer->data_texture);
-    gl->GenBuffers(1, &renderer->instance_buffer);
-    gl->GenBuffers(1, &renderer->crowd_buffer);
-    gl->GenVertexArrays(1, &renderer->vertex_array);
-    gl->GenVertexArrays(1, &renderer->crowd_array);
-    gl->GenVertexArrays(1, &renderer->empty_array);
-}
-
-static bool draw_bands(struct picture *picture)
+static bool draw_bands(struct csg_picture *picture)
 {
     const struct csg_request *request = picture->request;
     int rows = MAX_BAND_PIXELS / request->width;
@@ -550,7 +352,7 @@ static bool draw_bands(struct picture *picture)
         draw_band(picture);
         picture->gl->Finish(); /* reading waits for it anyway */
         const double drawn = csg_clock_ms();
-        read_band(picture, pixels);
+        csg_picture_read_band(picture, pixels);
         if (picture->visible)
             ok = csg_unfinished_fill(picture->renderer, request, picture->visible, row,
                                      picture->num_rows);
@@ -562,47 +364,6 @@ static bool draw_bands(struct picture *picture)
     return ok;
 }
 
-static bool upload(struct csgcast_renderer *renderer)
-{
-    const double start = csg_clock_ms();
-    const bool ok = upload_data(renderer) && upload_instances(renderer);
-    renderer->stats.upload_ms = csg_clock_ms() - start;
-    return ok;
-}
-
-static void copy_counts(const struct csg_frame *frame, struct csgcast_stats *stats)
-{
-    stats->objects_drawn = frame->draws.num;
-    stats->proxy_pixels = frame->proxy_pixels;
-    stats->solid_tests = frame->solid_tests;
-    stats->tiles_empty = frame->tiles_empty;
-    stats->tiles_opaque = frame->tiles_opaque;
-    stats->tiles_mixed = frame->tiles_mixed;
-    stats->tile_ms = frame->tile_ms;
-    stats->pack_ms = stats->cpu_ms - frame->tile_ms;
-}
-
-static size_t add_variant(char *text, size_t size, size_t used, const char *name, size_t num)
-{
-    if (num == 0 || used >= size)
-        return used;
-    return used + (size_t)snprintf(text + used, size - used, "%s%s %zu", used ? ", " : "", name, num);
-}
-
-/* The resolvers used, and how many objects each drew. */
-static void name_variants(const struct picture *picture, char *text, size_t size)
-{
-    const struct csg_batches *batches = &picture->batches;
-    size_t skip = 0;
-    if (picture->request->textbook)
-        skip = (size_t)snprintf(text, size, CSG_TEXTBOOK_NAME ": ");
-    size_t used = add_variant(text + skip, size - skip, 0, "single", batches->drawn_single);
-    for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
-        used = add_variant(text + skip, size - skip, used, csg_resolver_names[i],
-                           batches->drawn[i]);
-    add_variant(text + skip, size - skip, used, "reference", batches->on_cpu);
-}
-
 static void add_rect(float rect[4], const float *other)
 {
     for (int i = 0; i < 2; i++) {
@@ -611,7 +372,7 @@ static void add_rect(float rect[4], const float *other)
     }
 }
 
-static void bound_draws(struct picture *picture)
+static void bound_draws(struct csg_picture *picture)
 {
     const struct csg_frame *frame = &picture->renderer->frame;
     const struct csg_frame_crowd *crowd = &frame->crowd;
@@ -627,7 +388,7 @@ static void bound_draws(struct picture *picture)
 }
 
 /* Blending needs floats. */
-static bool prepare_shading(struct picture *picture)
+static bool prepare_shading(struct csg_picture *picture)
 {
     const struct csgcast_image *image = picture->request->image;
     picture->bytes = image->rgba8 && !image->rgba && !picture->want_geometry && !picture->want_leaf;
@@ -660,17 +421,12 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);
     renderer->stats.cpu_ms = csg_clock_ms() - start;
-    ensure_buffers(renderer);
-    struct picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
+       struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
     const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
-                    prepare_shading(&picture) && upload(renderer) && draw_bands(&picture);
-    struct csgcast_stats *stats = &renderer->stats;
-    copy_counts(&renderer->frame, stats);
-    csg_numerics_describe(renderer, request->scene, stats);
-    stats->objects_drawn += picture.batches.drawn_single;
-    name_variants(&picture, stats->variants, sizeof stats->variants);
+                    prepare_shading(&picture) && csg_upload_frame(renderer) && draw_bands(&picture);
+    csg_picture_count(&picture);
     free(picture.batches.data);
     return ok;
 }

@@ -63,6 +63,9 @@ struct csg_batches {
 void csg_numerics_describe(const struct csgcast_renderer *renderer,
                            const struct csgcast_scene *scene, struct csgcast_stats *stats);
 
+/* Hands the frame's texels and instances to the driver. false, with a message, on failure. */
+bool csg_upload_frame(struct csgcast_renderer *renderer);
+
 /* Casts the pixels of the band at first_row (from the bottom) that visible marks as
  * CSG_UNFINISHED on the CPU. visible: two words a pixel. false: out of memory. */
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,

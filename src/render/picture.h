@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_PICTURE_H
+#define CSG_RENDER_PICTURE_H
+
+#include "render/renderer.h"
+
+/* A picture in the making: what its passes (picture.c), its readback and its statistics share. */
+struct csg_picture {
+    struct csgcast_renderer *renderer;
+    struct csg_gl *gl;
+    const struct csg_request *request;
+    struct csg_batches batches;
+    GLuint shade;
+    int first_row, num_rows; /* of the band, counted from the bottom */
+    bool want_geometry, want_leaf;
+    bool bytes;    /* colours go to the caller as they are drawn, and nothing else */
+    float rect[4]; /* of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture */
+    uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
+};
+
+/* Copies the band that has been drawn to the caller's buffers. pixels: room for four floats a pixel
+ * of it; NULL where only bytes are asked for. */
+void csg_picture_read_band(const struct csg_picture *picture, float *pixels);
+
+/* What the picture took, into the renderer's statistics. */
+void csg_picture_count(const struct csg_picture *picture);
+
+#endif
