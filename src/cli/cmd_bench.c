@@ -41,7 +41,8 @@ static void run_child(const struct csg_cli_options *options, const char *input, 
     _exit(good ? 0 : 1);
 }
 
-/* Each scene in a process of its own: only so its peak of memory and its first image are its own. */
+/* Each scene in a process of its own: only so its peak of memory and its first image are its own.
+ */
 static bool measure_apart(const struct csg_cli_options *options, const char *input,
                           struct csg_measurement *result)
 {
@@ -103,8 +104,8 @@ static void print_json(struct csg_json *json, const char *input,
 static void print_head(void)
 {
     printf("%-24s %8s %9s %9s %9s %9s %9s %9s %4s %9s %9s %8s\n", "scene", "leaves", "first ms",
-           "frame ms", "min", "max", "work ms",
-           "cpu ms", "prog", "compile", "upload kB", "peak MB");
+           "frame ms", "min", "max", "work ms", "cpu ms", "prog", "compile", "upload kB",
+           "peak MB");
 }
 
 static void print_row(const char *input, const struct csg_measurement *result)
@@ -113,8 +114,9 @@ static void print_row(const char *input, const struct csg_measurement *result)
     printf("%-24s %8zu %9.1f %9.2f %9.2f %9.2f %9.2f %9.2f %4zu %9.1f %9.1f %8.1f\n",
            slash ? slash + 1 : input, result->num_leaves, result->first_image_ms,
            result->frame_ms.median, result->frame_ms.min, result->frame_ms.max,
-           result->work_ms.median, result->cpu_ms.median, result->stats.programs, result->compile_ms,
-           1e-3 * (double)result->stats.bytes_uploaded, 1e-6 * (double)result->peak_rss);
+           result->work_ms.median, result->cpu_ms.median, result->stats.programs,
+           result->compile_ms, 1e-3 * (double)result->stats.bytes_uploaded,
+           1e-6 * (double)result->peak_rss);
     fflush(stdout);
 }
 
@@ -152,7 +154,8 @@ const struct csg_cli_command csg_command_bench = {
     .text = "Draws each scene again and again and prints, in milliseconds, the first image (from\n"
             "the file, with the OpenGL context and the compiling of programs), the median and the\n"
             "range of the frames after it, their processor time on all cores together, the part\n"
-            "that csgcast prepares on the CPU, and programs, uploaded bytes and the peak of memory. Each scene gets a process of its own. Nothing\n"
+            "that csgcast prepares on the CPU, and programs, uploaded bytes and the peak of "
+            "memory. Each scene gets a process of its own. Nothing\n"
             "is written to image files.\n",
     .tail = "  csgcast bench part.scad\n"
             "  csgcast bench a.csg b.csg --imgsize=1024,1024 --frames=36 --orbit --json\n"

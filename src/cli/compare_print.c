@@ -69,7 +69,8 @@ static void print_total(const struct csg_compared *compared)
     printf("  normal error    mean %.3g, 99%% %.3g, max %.3g degrees\n", t->normal.mean,
            t->normal.p99, t->normal.max);
     if (compared->by_facets)
-        printf("  sagitta         OpenSCAD's facets are at most %.3g scene units off the surface drawn; "
+        printf("  sagitta         OpenSCAD's facets are at most %.3g scene units off the surface "
+               "drawn; "
                "seen: %.3g\n",
                compared->sagitta, t->facets);
     else if (compared->options->compare.sagitta > 0)

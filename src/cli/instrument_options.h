@@ -2,7 +2,8 @@
 #ifndef CSG_CLI_INSTRUMENT_OPTIONS_H
 #define CSG_CLI_INSTRUMENT_OPTIONS_H
 
-/* The options of `csgcast compare` and `report`; each function is the set of a struct csg_option. */
+/* The options of `csgcast compare` and `report`; each function is the set of a struct csg_option.
+ */
 
 #include "options.h"
 

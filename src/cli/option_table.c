@@ -266,8 +266,9 @@ static const char *set_bits(struct csg_cli_options *options, const char *value)
 static const char *set_frames(struct csg_cli_options *options, const char *value)
 {
     int *num = &options->num_frames;
-    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES ? NULL
-                                                                       : "a number from 1 to 100000";
+    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES
+               ? NULL
+               : "a number from 1 to 100000";
 }
 
 static const char *set_orbit(struct csg_cli_options *options, const char *value)
@@ -384,8 +385,8 @@ const struct csg_option csg_option_table[] = {
      "the same for 99 % of the pixels in every view", csg_set_max_depth_p99},
     {"max-normal-p99", 0, REQUIRED, COMPARE, "DEGREES",
      "threshold: error of the normal in 99 % of the pixels", csg_set_max_normal_p99},
-    {"quick", 0, NONE, REPORT, NULL, "fewer meshes, frames and shots: a minute instead of a quarter",
-     csg_set_quick},
+    {"quick", 0, NONE, REPORT, NULL,
+     "fewer meshes, frames and shots: a minute instead of a quarter", csg_set_quick},
     {"limit", 0, REQUIRED, COMPARE, "SECONDS", "for openscad to make the mesh; default: none",
      csg_set_limit},
     {"limit", 0, REQUIRED, REPORT, "SECONDS",
@@ -430,22 +431,25 @@ const struct csg_option csg_option_table[] = {
      "auto: an explicit $fn up to 12 is a polygon, the rest is exact\n"
      "(default); exact: always; as-written: OpenSCAD's vertices",
      set_facets},
-    {"skip-unsupported", 0, NONE, ALL | REPORT, NULL, "draw the rest of a scene with unsupported nodes",
-     set_skip_unsupported},
+    {"skip-unsupported", 0, NONE, ALL | REPORT, NULL,
+     "draw the rest of a scene with unsupported nodes", set_skip_unsupported},
     {"openscad", 0, REQUIRED, ALL | REPORT, "PROGRAM",
      "what flattens .scad files and evaluates subtrees that only it\n"
-     "can; default $OPENSCAD or openscad", set_openscad},
+     "can; default $OPENSCAD or openscad",
+     set_openscad},
     {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", set_no_handoff},
     {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"
-     "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast", set_cache},
+     "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast",
+     set_cache},
     {"no-cache", 0, NONE, ALL | REPORT, NULL, "neither read nor write it", set_no_cache},
     {"cache-size", 0, REQUIRED, ALL | REPORT, "MIB",
      "its bound; default $CSGCAST_CACHE_SIZE or 256", set_cache_size},
     {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
-    {"variant", 0, REQUIRED, DRAW, "NAME", "force one way to resolve the Boolean; default auto;\n"
+    {"variant", 0, REQUIRED, DRAW, "NAME",
+     "force one way to resolve the Boolean; default auto;\n"
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},

@@ -152,12 +152,12 @@ static void plan_classes(struct csg_crowd *crowd, const struct builder *builder,
         next[key] = crowd->num;
         if (!counts[key])
             continue;
-        crowd->classes[crowd->num_classes++] = (struct csg_crowd_class){
-            .ball = key == BALL_KEY,
-            .has_quadric = key == BALL_KEY || key % 2 == 1,
-            .num_planes = key == BALL_KEY ? 0 : key / 2,
-            .begin = crowd->num,
-            .end = crowd->num + counts[key]};
+        crowd->classes[crowd->num_classes++] =
+            (struct csg_crowd_class){.ball = key == BALL_KEY,
+                                     .has_quadric = key == BALL_KEY || key % 2 == 1,
+                                     .num_planes = key == BALL_KEY ? 0 : key / 2,
+                                     .begin = crowd->num,
+                                     .end = crowd->num + counts[key]};
         crowd->num += counts[key];
     }
     crowd->num_others = num - crowd->num;
@@ -182,7 +182,8 @@ static bool allocate(struct csg_crowd *crowd)
     return true;
 }
 
-static void put_ball(struct csg_crowd *crowd, size_t at, const struct csgcast_scene *scene, bool ball)
+static void put_ball(struct csg_crowd *crowd, size_t at, const struct csgcast_scene *scene,
+                     bool ball)
 {
     const uint32_t leaf = crowd->leaf[at];
     const struct csg_shape *shape = &scene->leaves[leaf].shape;
@@ -190,9 +191,9 @@ static void put_ball(struct csg_crowd *crowd, size_t at, const struct csgcast_sc
         csg_map_point(&shape->frame, csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi)));
     double radius = 0;
     for (int i = 0; i < 8 && !ball; i++)
-        radius = fmax(radius, csg_length(csg_sub(csg_map_point(&shape->frame,
-                                                               csg_box_corner(&shape->bounds, i)),
-                                                 center)));
+        radius = fmax(
+            radius, csg_length(csg_sub(
+                        csg_map_point(&shape->frame, csg_box_corner(&shape->bounds, i)), center)));
     if (ball)
         csg_quadric_ball(&scene->carriers->quadrics[scene->carriers->quadric_faces[leaf].carrier],
                          &center, &radius);

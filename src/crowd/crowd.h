@@ -17,10 +17,10 @@
 
 /* Members whose terms are found alike; one run of the arrays. */
 struct csg_crowd_class {
-    bool ball;          /* a sphere to the noise of double arithmetic: its ball is itself */
+    bool ball; /* a sphere to the noise of double arithmetic: its ball is itself */
     bool has_quadric;
     uint32_t num_planes;
-    size_t begin, end;  /* members, in the order of their objects */
+    size_t begin, end; /* members, in the order of their objects */
 };
 
 #define CSG_CROWD_NO_KIN UINT32_MAX
@@ -30,8 +30,8 @@ struct csg_crowd {
     size_t num;
     double *x, *y, *z, *radius; /* a ball around the solid */
     uint32_t *object, *leaf;
-    uint32_t *kin;    /* a number that members joined by shared carriers have in common; or NO_KIN */
-    float *need;      /* see csg_precision_need */
+    uint32_t *kin; /* a number that members joined by shared carriers have in common; or NO_KIN */
+    float *need;   /* see csg_precision_need */
     float least_need; /* of all */
     uint8_t *opaque;
     struct csg_crowd_class classes[2 * (CSG_CROWD_MAX_PLANES + 1) + 1];

@@ -17,7 +17,7 @@ struct camera {
     struct csg_vec3 origin, axis[2], forward;
     double scale[2], shift[2]; /* pixels per unit (perspective: of the tangent) */
     double size[2];
-    double lo[2], hi[2];         /* tangents of the picture's borders */
+    double lo[2], hi[2];           /* tangents of the picture's borders */
     double lo_norm[2], hi_norm[2]; /* lengths of the border planes' normals */
 };
 
@@ -85,7 +85,8 @@ static enum verdict look_at(const struct csg_cull *cull, const struct camera *ca
         const double q = t * t - r * r, near = CSG_BALL_NEAR * r;
         if (t < -r)
             return DROPPED;
-        if (!(t > CSG_BALL_FRONT * r) || ball->c[0] * ball->c[0] + ball->c[1] * ball->c[1] + t * t < near * near)
+        if (!(t > CSG_BALL_FRONT * r) ||
+            ball->c[0] * ball->c[0] + ball->c[1] * ball->c[1] + t * t < near * near)
             return crosses_picture(camera, ball) ? DEMOTED : DROPPED;
         for (int i = 0; i < 2; i++) {
             reach[i] = r * sqrt(ball->c[i] * ball->c[i] + q) / q;
@@ -137,7 +138,8 @@ static void look_at_block(void *user, size_t task)
         const struct csg_vec3 c =
             csg_sub(csg_vec3(crowd->x[i], crowd->y[i], crowd->z[i]), camera.origin);
         const struct ball ball = {{csg_dot(c, camera.axis[0]), csg_dot(c, camera.axis[1])},
-                                  csg_dot(c, camera.forward), crowd->radius[i]};
+                                  csg_dot(c, camera.forward),
+                                  crowd->radius[i]};
         struct csg_candidate *candidate = &cull->candidates[block->begin + block->num];
         candidate->member = i;
         const enum verdict verdict = look_at(cull, &camera, &ball, candidate);

@@ -8,8 +8,8 @@
 
 /*
  * Fills frame->crowd from the scene's, and appends its attribute blocks to the frame's texels. The
- * frame's screen is set. Other objects, and members that have to be drawn as they are, are listed in
- * frame->listed. false: out of memory.
+ * frame's screen is set. Other objects, and members that have to be drawn as they are, are listed
+ * in frame->listed. false: out of memory.
  */
 bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params);

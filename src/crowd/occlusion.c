@@ -102,7 +102,8 @@ static bool list_occluders(struct csg_cull *cull)
 /* ---- the picture ---- */
 
 /* Twin of csg_quadric in shaders/solids/quadric.glsl, for a row of pixels from d on. */
-static void draw_row(const float (*texels)[4], float noise, float dx, float dy, int num, float *keys)
+static void draw_row(const float (*texels)[4], float noise, float dx, float dy, int num,
+                     float *keys)
 {
     const float m = texels[0][0] + texels[0][2] * dy, mx = texels[0][1];
     const float x0 = texels[1][0] + texels[1][2] * dy, xx = texels[1][1];

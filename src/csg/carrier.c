@@ -28,10 +28,10 @@ struct extent {
 struct builder {
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
-    CSG_ARRAY(double) plane_rounding;   /* of the leaf each carrier came from */
+    CSG_ARRAY(double) plane_rounding; /* of the leaf each carrier came from */
     CSG_ARRAY(double) quadric_rounding;
     struct csg_carrier_index index;
-    double radius; /* of the finite part of the scene */
+    double radius;              /* of the finite part of the scene */
     CSG_ARRAY(uint32_t) leaves; /* of the object at hand, largest first */
 };
 
@@ -275,8 +275,8 @@ static bool rank_object(struct ranked_leaves *ranked, const struct builder *buil
 }
 
 /* The objects' leaves that have no carriers yet, the largest first: its faces are the least turned
- * by rounding, so they become the carriers. A surface's faces are small and come last. A leaf can be
- * in two layers; its first object counts. */
+ * by rounding, so they become the carriers. A surface's faces are small and come last. A leaf can
+ * be in two layers; its first object counts. */
 static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool *assigned)
 {
     struct ranked_leaves ranked = {0};
@@ -298,8 +298,7 @@ static bool start_index(struct builder *builder)
 {
     struct csg_box box = csg_box_empty;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct csg_box leaf =
-            csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i]]);
+        const struct csg_box leaf = csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i]]);
         if (csg_box_is_finite(&leaf))
             box = csg_box_union(&box, &leaf);
     }
@@ -361,9 +360,9 @@ static void fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *c
         const struct csg_object *object = &scene->objects->data[i];
         const struct csg_node *nodes = scene->trees[object->layer].data;
         for (uint32_t j = object->begin; j < object->end; j++) {
-            const struct csg_face face =
-                nodes[j].op == CSG_LEAF && !nodes[j].spare ? carriers->quadric_faces[nodes[j].leaf]
-                                        : (struct csg_face){CSG_NO_CARRIER, false};
+            const struct csg_face face = nodes[j].op == CSG_LEAF && !nodes[j].spare
+                                             ? carriers->quadric_faces[nodes[j].leaf]
+                                             : (struct csg_face){CSG_NO_CARRIER, false};
             if (face.carrier == CSG_NO_CARRIER)
                 continue;
             struct csg_box box = csg_leaf_box(&scene->leaves[nodes[j].leaf]);

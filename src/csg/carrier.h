@@ -16,7 +16,8 @@
 /* A leaf's face on a carrier: carrier index and whether the leaf's inside is the other side. */
 struct csg_face {
     uint32_t carrier;
-    bool flipped; /* plane: the leaf's normal is the carrier's, negated; quadric: inside is f >= 0 */
+    bool
+        flipped; /* plane: the leaf's normal is the carrier's, negated; quadric: inside is f >= 0 */
 };
 
 struct csg_carriers {
@@ -28,10 +29,10 @@ struct csg_carriers {
     size_t quadric_boxes_capacity, num_quadric_boxes;
     size_t num_shared; /* faces that found an earlier face's carrier */
 
-    uint32_t *face_begin;    /* num_leaves + 1: leaf's plane faces in faces[] */
-    struct csg_face *faces;  /* of planes, in the order of the leaf's shape */
+    uint32_t *face_begin;           /* num_leaves + 1: leaf's plane faces in faces[] */
+    struct csg_face *faces;         /* of planes, in the order of the leaf's shape */
     struct csg_face *quadric_faces; /* per leaf; carrier CSG_NO_CARRIER where it has none */
-    int8_t *sheets;          /* per leaf: shape.sheet, in the carrier's canonical space */
+    int8_t *sheets;                 /* per leaf: shape.sheet, in the carrier's canonical space */
 };
 
 #define CSG_NO_CARRIER UINT32_MAX

@@ -54,7 +54,8 @@ static void quadric_coordinates(const struct csg_carrier_index *index,
                                 const struct csg_quadric *quadric, double coordinates[3])
 {
     const double slope = csg_length(csg_quadric_gradient(quadric, index->probe));
-    const double distance = fabs(csg_quadric_value(quadric, index->probe)) / (slope > 0 ? slope : 1);
+    const double distance =
+        fabs(csg_quadric_value(quadric, index->probe)) / (slope > 0 ? slope : 1);
     coordinates[0] = coordinates[1] = 0.5;
     /* f/|grad f| follows a small change of the surface only to first order: wider cells. */
     coordinates[2] = distance / (8 * index->cell);
@@ -140,9 +141,8 @@ static void start_probe(int64_t kind, const double coordinates[3], struct csg_in
     probe->key = -1;
     probe->entry = NO_ENTRY;
     for (int k = 0; k < 8; k++)
-        probe->keys[k] = (struct csg_index_key){{k & 1 ? far[0] : near[0], k & 2 ? far[1] : near[1],
-                                                 k & 4 ? far[2] : near[2]},
-                                                kind};
+        probe->keys[k] = (struct csg_index_key){
+            {k & 1 ? far[0] : near[0], k & 2 ? far[1] : near[1], k & 4 ? far[2] : near[2]}, kind};
 }
 
 void csg_index_probe_plane(const struct csg_carrier_index *index, const struct csg_plane *plane,

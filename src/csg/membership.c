@@ -3,7 +3,8 @@
 
 #include <stdlib.h>
 
-/* Share of the coordinates within which the eye is on a surface: double computes heights to 10^-15. */
+/* Share of the coordinates within which the eye is on a surface: double computes heights to 10^-15.
+ */
 #define NEAR_EYE 1e-11
 
 bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_object *object,
@@ -17,8 +18,8 @@ bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_obj
         const struct csg_node *node = &nodes[i];
         bool value = node->op == CSG_AND;
         if (node->op == CSG_LEAF)
-            value = (!node->spare &&
-                     csg_shape_contains(&scene->leaves[node->leaf].shape, point)) != node->negated;
+            value = (!node->spare && csg_shape_contains(&scene->leaves[node->leaf].shape, point)) !=
+                    node->negated;
         else
             for (uint32_t child = i + 1; child < node->end; child = nodes[child].end)
                 value = node->op == CSG_AND ? value && values[child - object->begin]

@@ -2,17 +2,18 @@
 #ifndef CSG_CSG_OBJECT_H
 #define CSG_CSG_OBJECT_H
 
-/* Objects: the operands of the outermost union. Each is drawn by itself; the depth buffer unites. */
+/* Objects: the operands of the outermost union. Each is drawn by itself; the depth buffer unites.
+ */
 
 #include "csg/scene.h"
 
 struct csg_object {
-    uint8_t layer;        /* enum csg_layer */
-    uint8_t paint;        /* the layer whose colours it takes: HIGHLIGHT where # is on all of it */
-    bool hidden;          /* of the highlight layer, and drawn already as part of such an object */
-    bool crowded;         /* its structure may change with an edit: no program of its own */
-    uint32_t begin, end;  /* nodes of scene->trees[layer] */
-    struct csg_box box;   /* of the Boolean result, conservative */
+    uint8_t layer;       /* enum csg_layer */
+    uint8_t paint;       /* the layer whose colours it takes: HIGHLIGHT where # is on all of it */
+    bool hidden;         /* of the highlight layer, and drawn already as part of such an object */
+    bool crowded;        /* its structure may change with an edit: no program of its own */
+    uint32_t begin, end; /* nodes of scene->trees[layer] */
+    struct csg_box box;  /* of the Boolean result, conservative */
 };
 
 struct csg_objects {

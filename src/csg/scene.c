@@ -102,8 +102,7 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
             info->num_facetted += leaf->shape.facetted;
             info->num_exact += leaf->shape.has_quadric;
             info->sagitta = fmax(info->sagitta, leaf->shape.sagitta);
-            info->num_triangles +=
-                leaf->shape.surface ? leaf->shape.surface->triangles.num : 0;
+            info->num_triangles += leaf->shape.surface ? leaf->shape.surface->triangles.num : 0;
             info->max_crossings += leaf_crossings(&leaf->shape);
         }
     }
@@ -171,8 +170,8 @@ static bool fill_from_trees(struct csgcast_scene *scene)
 /* Simplifies the tree; kept, where structure is kept, is it before what does not show went. */
 static bool simplify(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
 {
-    return csg_tree_simplify(tree, NULL) && (!scene->keeps_structure || csg_tree_copy(tree, kept)) &&
-           csg_tree_prune(scene, tree);
+    return csg_tree_simplify(tree, NULL) &&
+           (!scene->keeps_structure || csg_tree_copy(tree, kept)) && csg_tree_prune(scene, tree);
 }
 
 static bool build_surfaces(struct csgcast_scene *scene)
@@ -190,8 +189,8 @@ static void fill_leaf_boxes(struct csgcast_scene *scene)
 {
     for (size_t i = 0; i < scene->num_leaves; i++) {
         struct csg_leaf *leaf = &scene->leaves[i];
-        leaf->box = leaf->is_empty ? csg_box_empty
-                                   : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+        leaf->box =
+            leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
     }
 }
 

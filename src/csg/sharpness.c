@@ -14,7 +14,8 @@
 /* Quadrics with boxes that differ by less than this share nearly coincide. */
 #define NEAR_BOXES 1e-3
 
-/* Smaller shares of the coordinates, and angles, are rounding: what decomposing a polygon leaves over. */
+/* Smaller shares of the coordinates, and angles, are rounding: what decomposing a polygon leaves
+ * over. */
 #define NOISE 1e-11
 
 /* Points of a quadric's surface that show how far it is from another. */
@@ -47,8 +48,8 @@ static void box_edges(const struct csg_shape *shape, struct csg_vec3 edges[3])
                             shape->bounds.hi.y - shape->bounds.lo.y,
                             shape->bounds.hi.z - shape->bounds.lo.z};
     for (int i = 0; i < 3; i++) {
-        const struct csg_vec3 axis = csg_vec3(shape->frame.m[0][i], shape->frame.m[1][i],
-                                              shape->frame.m[2][i]);
+        const struct csg_vec3 axis =
+            csg_vec3(shape->frame.m[0][i], shape->frame.m[1][i], shape->frame.m[2][i]);
         edges[i] = csg_scale(isfinite(size[i]) ? size[i] : 1e30, axis);
     }
 }
@@ -80,8 +81,8 @@ static int axes_form(const struct csg_quadric *quadric, double form[3][3])
 
 /*
  * The least radius of curvature: that of a section with the semi-axes a < b is a^2 / b. The form's
- * eigenvalues are 1 / axis^2, largest first num of them; no axis is longer than what can be seen of the
- * surface, size.
+ * eigenvalues are 1 / axis^2, largest first num of them; no axis is longer than what can be seen of
+ * the surface, size.
  */
 static double curvature(const struct csg_quadric *quadric, double size)
 {
@@ -126,7 +127,8 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
         return;
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
-    note(sharp, CSG_FINE_CURVATURE, curvature(&scene->carriers->quadrics[face.carrier], size), leaf);
+    note(sharp, CSG_FINE_CURVATURE, curvature(&scene->carriers->quadrics[face.carrier], size),
+         leaf);
 }
 
 static int compare(const void *a, const void *b)
@@ -165,10 +167,10 @@ static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scen
 }
 
 /*
- * Over a ball around center, aligned planes at the angle a are between d - a r and d + a r apart, with
- * d their distance in the middle: they meet there, or leave a gap. Only where their solids lie on
- * different sides is that a wedge or a wall; else it is an edge so flat that either side of it will
- * do.
+ * Over a ball around center, aligned planes at the angle a are between d - a r and d + a r apart,
+ * with d their distance in the middle: they meet there, or leave a gap. Only where their solids lie
+ * on different sides is that a wedge or a wall; else it is an edge so flat that either side of it
+ * will do.
  */
 static void note_planes(struct csg_sharpness *sharp, const struct csg_carriers *carriers,
                         const struct surface *x, const struct surface *y, struct csg_vec3 center,
@@ -221,8 +223,8 @@ static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scen
     if (!csg_box_is_finite(&box) || !csg_box_is_finite(&other) ||
         !(box_difference(&box, &other) < near))
         return;
-    const double apart = deviation(&scene->carriers->quadrics[a->carrier],
-                                   &scene->leaves[b->leaf].shape);
+    const double apart =
+        deviation(&scene->carriers->quadrics[a->carrier], &scene->leaves[b->leaf].shape);
     if (apart < near)
         note(sharp, CSG_FINE_GAP, apart, b->leaf);
 }
@@ -240,12 +242,14 @@ static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *
         qsort(surfaces->quadrics.data, num_quadrics, sizeof *q, compare);
     for (size_t i = 0; i < num_planes; i++)
         for (size_t j = i + 1; j < num_planes && j < i + MAX_NEIGHBOURS &&
-                               p[j].place - p[i].place < 2 * CSG_FINE_MAX_ANGLE; j++)
+                               p[j].place - p[i].place < 2 * CSG_FINE_MAX_ANGLE;
+             j++)
             if (p[i].carrier != p[j].carrier)
                 note_planes(sharp, carriers, &p[i], &p[j], center, radius);
     for (size_t i = 0; i < num_quadrics; i++)
         for (size_t j = i + 1; j < num_quadrics && j < i + MAX_NEIGHBOURS &&
-                               q[j].place - q[i].place < NEAR_BOXES * radius; j++)
+                               q[j].place - q[i].place < NEAR_BOXES * radius;
+             j++)
             if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned)
                 note_quadrics(sharp, scene, &q[i], &q[j]);
 }

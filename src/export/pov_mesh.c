@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
-/* Solids as POV-Ray's mesh2, whose inside is found by counting crossings along a fixed direction. */
+/* Solids as POV-Ray's mesh2, whose inside is found by counting crossings along a fixed direction.
+ */
 
 #include "export/pov.h"
 #include "mesh/surface.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
-/* Cameras as OpenSCAD 2021.01 has them (Camera.cc, GLView.cc), resolved to an eye and three axes. */
+/* Cameras as OpenSCAD 2021.01 has them (Camera.cc, GLView.cc), resolved to an eye and three axes.
+ */
 
 #include "csg/scene.h"
 
@@ -68,8 +69,8 @@ static void frame_scene(const struct csgcast_scene *scene, bool autocenter, doub
     if (autocenter)
         gimbal->target = csg_scale(0.5, csg_add(box.lo, box.hi));
     const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
-    const double radius = csg_length(csg_sub(center, gimbal->target)) +
-                          0.5 * csg_length(csg_sub(box.hi, box.lo));
+    const double radius =
+        csg_length(csg_sub(center, gimbal->target)) + 0.5 * csg_length(csg_sub(box.hi, box.lo));
     gimbal->distance = radius / sin(0.5 * fov * DEGREE);
 }
 
@@ -126,8 +127,7 @@ bool csgcast_view_resolve(const struct csgcast_scene *scene, const struct csgcas
     for (int i = 0; i < 3; i++)
         frustum->eye[i] = target[i] - gimbal.distance * frustum->forward[i];
     frustum->orthographic = camera->projection == CSGCAST_ORTHOGRAPHIC;
-    frustum->half_height =
-        tan(0.5 * fov * DEGREE) * (frustum->orthographic ? gimbal.distance : 1);
+    frustum->half_height = tan(0.5 * fov * DEGREE) * (frustum->orthographic ? gimbal.distance : 1);
     frustum->half_width = frustum->half_height * width / height;
     return true;
 }

@@ -81,8 +81,8 @@ static bool meet_triangle(const struct csg_surface *surface, uint32_t i, const s
     const int turns = edge_turns(&a, &b) + edge_turns(&b, &c) + edge_turns(&c, &a);
     if (turns == 0)
         return true;
-    const struct csg_meeting meeting = {i, shear->length > 0 ? turns : -turns, fmin(a.t, fmin(b.t, c.t)),
-                                        fmax(a.t, fmax(b.t, c.t))};
+    const struct csg_meeting meeting = {i, shear->length > 0 ? turns : -turns,
+                                        fmin(a.t, fmin(b.t, c.t)), fmax(a.t, fmax(b.t, c.t))};
     return csg_array_push(meetings, meeting);
 }
 

@@ -45,8 +45,8 @@ static struct csg_vec3 at_pixel(struct csg_vec3 base, struct csg_vec3 dx, struct
 }
 
 /* Parallel rays: k = c.forward - A - sqrt(r^2 - |across|^2). */
-static void orthographic(const struct csg_screen *screen, struct csg_pixel at, struct csg_vec3 center,
-                         double radius, double texels[CSG_BALL_TEXELS][4])
+static void orthographic(const struct csg_screen *screen, struct csg_pixel at,
+                         struct csg_vec3 center, double radius, double texels[CSG_BALL_TEXELS][4])
 {
     const struct csg_vec3 origin =
         at_pixel(screen->origin, screen->origin_dx, screen->origin_dy, at);
@@ -57,8 +57,8 @@ static void orthographic(const struct csg_screen *screen, struct csg_pixel at, s
     put(texels[2], -csg_dot(c, screen->origin_dy) / step, 0, 0, -1);
 }
 
-static void perspective(const struct csg_screen *screen, struct csg_pixel at, struct csg_vec3 center,
-                        double radius, double texels[CSG_BALL_TEXELS][4])
+static void perspective(const struct csg_screen *screen, struct csg_pixel at,
+                        struct csg_vec3 center, double radius, double texels[CSG_BALL_TEXELS][4])
 {
     const struct csg_vec3 c = csg_sub(center, screen->origin);
     const struct csg_vec3 direction =

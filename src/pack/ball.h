@@ -8,8 +8,8 @@
 
 #define CSG_BALL_TEXELS 3
 
-/* The closed form is for eyes that are further away from the ball's center than this many radii, and
- * for balls that are in front of the eye: beyond this many radii along the view axis. */
+/* The closed form is for eyes that are further away from the ball's center than this many radii,
+ * and for balls that are in front of the eye: beyond this many radii along the view axis. */
 #define CSG_BALL_NEAR 2.0
 #define CSG_BALL_FRONT 1.3
 

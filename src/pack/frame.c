@@ -68,9 +68,8 @@ static bool object_rect(struct packer *packer, const struct csg_object *object,
     if (!csg_array_reserve(&packer->rects, object->end - object->begin))
         return false;
     for (uint32_t i = object->end; i-- > object->begin;)
-        packer->rects.data[i - object->begin] = nodes[i].op == CSG_LEAF
-                                                    ? leaf_rect(packer, &nodes[i])
-                                                    : node_rect(packer, object, i);
+        packer->rects.data[i - object->begin] =
+            nodes[i].op == CSG_LEAF ? leaf_rect(packer, &nodes[i]) : node_rect(packer, object, i);
     *rect = packer->rects.data[0];
     const struct csg_rect by_box =
         csg_screen_rect(&packer->frame->screen, &csg_map_identity, &object->box);
@@ -133,11 +132,13 @@ static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct
 static void note_stiff(struct packer *packer, uint32_t index)
 {
     const struct csg_terms *terms = &packer->terms;
-    if (index == CSG_WHOLE_LAYER || !terms->precise || packer->frame->precisions.data[index].precise)
+    if (index == CSG_WHOLE_LAYER || !terms->precise ||
+        packer->frame->precisions.data[index].precise)
         return;
-    packer->frame->precisions.data[index] =
-        (struct csg_precision){.precise = true, .reason = CSG_REASON_STIFF,
-                               .leaf = terms->roughest, .resolved = terms->error};
+    packer->frame->precisions.data[index] = (struct csg_precision){.precise = true,
+                                                                   .reason = CSG_REASON_STIFF,
+                                                                   .leaf = terms->roughest,
+                                                                   .resolved = terms->error};
 }
 
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
@@ -162,8 +163,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.precise = packer->terms.precise;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
     if (index != CSG_WHOLE_LAYER && packer->terms.views.num == 0 &&
-        (packer->params->textbook ||
-         packer->params->whole(index, packer->params->user)))
+        (packer->params->textbook || packer->params->whole(index, packer->params->user)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
     const double start = csg_clock_ms();
@@ -211,8 +211,7 @@ static bool is_one(const struct packer *packer, uint8_t layer)
 {
     if (packer->params->textbook)
         return false;
-    return starts_inside(packer, layer) ||
-           (layer == CSG_LAYER_MODEL && is_too_fine(packer, layer));
+    return starts_inside(packer, layer) || (layer == CSG_LAYER_MODEL && is_too_fine(packer, layer));
 }
 
 static bool add_layer(struct packer *packer, uint8_t layer)
@@ -220,9 +219,10 @@ static bool add_layer(struct packer *packer, uint8_t layer)
     const struct csg_object *objects = packer->scene->objects->data;
     const struct csg_frame *frame = packer->frame;
     if (is_one(packer, layer)) {
-        const struct csg_object whole = {
-            .layer = layer, .paint = layer, .end = (uint32_t)packer->scene->trees[layer].num,
-            .box = csg_box_all};
+        const struct csg_object whole = {.layer = layer,
+                                         .paint = layer,
+                                         .end = (uint32_t)packer->scene->trees[layer].num,
+                                         .box = csg_box_all};
         if (layer == CSG_LAYER_MODEL)
             packer->frame->crowd.runs.num = 0;
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
@@ -258,7 +258,7 @@ static struct csg_box focus_of(const struct csgcast_scene *scene)
 
 /* Which objects are drawn one by one. */
 static bool list_objects(struct csg_frame *frame, const struct csgcast_scene *scene,
-                           const struct csg_frame_params *params)
+                         const struct csg_frame_params *params)
 {
     const uint32_t num = (uint32_t)scene->objects->num;
     frame->crowd.runs.num = frame->listed.num = 0;
@@ -290,8 +290,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
     frame->tile_ms = 0;
     bool ok = csg_terms_init(&packer.terms, frame, scene, params) &&
-              list_objects(frame, scene, params) &&
-              csg_frame_judge(frame, scene, params, &focus);
+              list_objects(frame, scene, params) && csg_frame_judge(frame, scene, params, &focus);
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);
     csg_terms_finish(&packer.terms);

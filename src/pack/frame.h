@@ -26,22 +26,22 @@ struct csg_draw {
     uint8_t layer, paint; /* as in csg_object */
     bool single;          /* one convex leaf: its far side can show through */
     bool translucent;     /* drawn after the opaque objects */
-    bool around_eye;  /* the eye can be inside */
-    bool stiff;       /* some quadric needs the other form in this view */
-    bool precise;     /* drawn in double: the records hold low parts */
-    bool surface;     /* some record is that of a surface of triangles */
-    bool surface_alone; /* there is no other, and the eye is outside of it */
-    bool tile;        /* a tile of the object: its records differ from the object's steps */
+    bool around_eye;      /* the eye can be inside */
+    bool stiff;           /* some quadric needs the other form in this view */
+    bool precise;         /* drawn in double: the records hold low parts */
+    bool surface;         /* some record is that of a surface of triangles */
+    bool surface_alone;   /* there is no other, and the eye is outside of it */
+    bool tile;            /* a tile of the object: its records differ from the object's steps */
 };
 
 struct csg_frame {
     struct csg_screen screen;
-    struct csg_pixel at; /* the reference pixel of all objects */
+    struct csg_pixel at;     /* the reference pixel of all objects */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
     CSG_ARRAY(struct csg_precision) precisions; /* by object, of the listed ones */
     size_t proxy_pixels;
-    size_t solid_tests;  /* see csgcast_stats */
+    size_t solid_tests; /* see csgcast_stats */
     size_t tiles_empty, tiles_opaque, tiles_mixed;
     double tile_ms;
     CSG_ARRAY(uint32_t) listed; /* objects drawn one by one, in file order: all but the crowd's */
@@ -56,9 +56,10 @@ struct csg_frame_params {
     /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */
     bool (*whole)(size_t object, const void *user);
     const void *user;
-    bool textbook; /* carriers as pack/textbook.h has them */
+    bool textbook;   /* carriers as pack/textbook.h has them */
     bool precise;    /* everything in double */
-    int tile_size;   /* pixels, 0: CSG_TILE_SIZE; else tests have everything drawn in tiles of that size */
+    int tile_size;   /* pixels, 0: CSG_TILE_SIZE; else tests have everything drawn in tiles of that
+                        size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
     bool crowds;     /* single solids are drawn as crowd/crowd.h has them */
 };

@@ -169,14 +169,16 @@ struct csg_precision csg_precision_of(const struct csg_screen *screen,
     double range[2];
     csg_depth_range(screen, csg_box_is_finite(&object->box) ? &object->box : focus, range);
     if (range[1] >= range[0] && (screen->orthographic || range[1] > 0))
-        judge_geometry(screen, &scene->sharpness[index], range, across(&object->box, focus), &precision);
+        judge_geometry(screen, &scene->sharpness[index], range, across(&object->box, focus),
+                       &precision);
     csg_depth_range(screen, &object->box, range);
     if (!screen->orthographic && screen->a == 0 && range[1] > MAX_RATIO * range[0])
         judge_near(screen, scene, object, &precision);
     return precision;
 }
 
-/* ---- what the shader computes, twin of shaders/solids/quadric.glsl ---------------------------- */
+/* ---- what the shader computes, twin of shaders/solids/quadric.glsl ----------------------------
+ */
 
 #define DEFINE_CROSSINGS(name, real, root_of)                                                      \
     static bool name(const double texels[CSG_QUADRIC_TEXELS][4], double px, double py,             \
@@ -194,8 +196,8 @@ struct csg_precision csg_precision_of(const struct csg_screen *screen,
         const real h = (t[1][3] + y * (t[2][2] + y * t[2][3])) + x * (t[2][1] + xx);               \
         const real m = t[0][0] + (t[0][1] * dx + t[0][2] * dy);                                    \
         const real root = root_of(h > 0 ? h : 0);                                                  \
-        const real c = t[3][0] + x * (t[3][1] + t[4][0] * x + t[4][1] * y) +                       \
-                       y * (t[3][2] + t[4][2] * y);                                                \
+        const real c =                                                                             \
+            t[3][0] + x * (t[3][1] + t[4][0] * x + t[4][1] * y) + y * (t[3][2] + t[4][2] * y);     \
         const real q = m < 0 ? root - m : -root - m;                                               \
         const bool stiff = code & CSG_QUADRIC_STIFF;                                               \
         keys[0] = (double)(stiff ? q * t[3][3] : m - root);                                        \
@@ -235,13 +237,14 @@ double csg_quadric_error(const struct csg_screen *screen, struct csg_pixel at,
         if (!crossings_in_double(texels, x, y, right) || !crossings_in_float(texels, x, y, rough))
             continue;
         for (int j = 0; j < 2; j++)
-            largest = fmax(largest, relative_error(screen, right[j], fabs(rough[j] - right[j]),
-                                                   depth));
+            largest =
+                fmax(largest, relative_error(screen, right[j], fabs(rough[j] - right[j]), depth));
     }
     return largest;
 }
 
-/* ---- for people ------------------------------------------------------------------------------- */
+/* ---- for people -------------------------------------------------------------------------------
+ */
 
 void csg_precision_explain(const struct csg_precision *precision, char *text, size_t size)
 {
@@ -260,7 +263,7 @@ void csg_precision_explain(const struct csg_precision *precision, char *text, si
                                                        : "rays nearly along its surface",
                  precision->resolved);
     else
-        snprintf(text, size, "%s", precision->reason == CSG_REASON_ASKED
-                                       ? "asked for"
-                                       : "shares a surface with one that needs it");
+        snprintf(text, size, "%s",
+                 precision->reason == CSG_REASON_ASKED ? "asked for"
+                                                       : "shares a surface with one that needs it");
 }

@@ -141,8 +141,8 @@ static struct quadratic quadratic_of(const struct pencil *pencil, double key_spa
         const int i = index[n][0], j = index[n][1];
         const double twice = i == j ? 1 : 2;
         f.c[n] = twice * form(pencil->q, pencil->p[i], pencil->p[j]);
-        f.s[n] = degenerate ? twice * f.b[i] * f.b[j] - f.a * f.c[n]
-                            : twice * silhouette(pencil, i, j);
+        f.s[n] =
+            degenerate ? twice * f.b[i] * f.b[j] - f.a * f.c[n] : twice * silhouette(pencil, i, j);
     }
     return f;
 }
@@ -166,7 +166,8 @@ static void major_axis(double xx, double xy, double yy, double axis[2])
     const double angle = 0.5 * atan2(2 * xy, xx - yy);
     axis[0] = cos(angle);
     axis[1] = sin(angle);
-    const double along = xx * axis[0] * axis[0] + 2 * xy * axis[0] * axis[1] + yy * axis[1] * axis[1];
+    const double along =
+        xx * axis[0] * axis[0] + 2 * xy * axis[0] * axis[1] + yy * axis[1] * axis[1];
     if (fabs(xx + yy - along) > fabs(along)) {
         const double x = axis[0];
         axis[0] = -axis[1];
@@ -246,17 +247,17 @@ static void put_conic(double texels[2][4], const double c[6], const struct axes 
     texels[0][0] = clamped(scale * c0);
     texels[0][1] = clamped(scale * (grad[0] * ux[0] + grad[1] * ux[1]));
     texels[0][2] = clamped(scale * (grad[0] * uy[0] + grad[1] * uy[1]));
-    texels[1][0] = clamped(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] +
-                                     c[5] * ux[1] * ux[1]));
-    texels[1][1] = clamped(scale * (2 * c[3] * ux[0] * uy[0] +
-                                     c[4] * (ux[0] * uy[1] + ux[1] * uy[0]) +
-                                     2 * c[5] * ux[1] * uy[1]));
-    texels[1][2] = clamped(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] +
-                                     c[5] * uy[1] * uy[1]));
+    texels[1][0] =
+        clamped(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] + c[5] * ux[1] * ux[1]));
+    texels[1][1] =
+        clamped(scale * (2 * c[3] * ux[0] * uy[0] + c[4] * (ux[0] * uy[1] + ux[1] * uy[0]) +
+                         2 * c[5] * ux[1] * uy[1]));
+    texels[1][2] =
+        clamped(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] + c[5] * uy[1] * uy[1]));
 }
 
-static int region_code(const struct csg_screen *screen, const struct csg_quadric *quadric,
-                       double a, bool flipped, bool convex, int sheet)
+static int region_code(const struct csg_screen *screen, const struct csg_quadric *quadric, double a,
+                       bool flipped, bool convex, int sheet)
 {
     if ((a > 0) != flipped)
         return CSG_QUADRIC_BETWEEN;
@@ -295,9 +296,9 @@ static double pixel_radius(const struct csg_screen *screen, struct csg_vec3 cent
     return size < diagonal ? fmax(size, 1) : diagonal;
 }
 
-/* How far from key 0, and from each other, the crossings are over a square of that many pixels. Only
- * where both is far does their middle cancel against sqrt(h): a small leaf far from key 0 has a
- * large middle and a small root. */
+/* How far from key 0, and from each other, the crossings are over a square of that many pixels.
+ * Only where both is far does their middle cancel against sqrt(h): a small leaf far from key 0 has
+ * a large middle and a small root. */
 static double size_of_middle(const struct quadratic *f, double pixels)
 {
     return (fabs(f->b[0]) + pixels * (fabs(f->b[1]) + fabs(f->b[2]))) / fabs(f->a);
@@ -327,11 +328,11 @@ static bool put_ball(const struct csg_screen *screen, struct csg_pixel at,
 
 void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         const struct csg_quadric *quadric, bool flipped, bool convex, int sheet,
-                        struct csg_vec3 center, double radius,
-                        double texels[CSG_QUADRIC_TEXELS][4])
+                        struct csg_vec3 center, double radius, double texels[CSG_QUADRIC_TEXELS][4])
 {
     if (put_ball(screen, at, quadric, radius, texels)) {
-        texels[0][3] = CSG_QUADRIC_X_MINUS + region_code(screen, quadric, 1, flipped, convex, sheet);
+        texels[0][3] =
+            CSG_QUADRIC_X_MINUS + region_code(screen, quadric, 1, flipped, convex, sheet);
         return;
     }
     const struct csg_pixel here = csg_screen_pixel(screen, center);
@@ -344,9 +345,9 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     const double reach = fmin(size_of_middle(&f, pixels), size_of_root(&f, pixels));
     const bool stiff = reach > STIFF_RATIO * span;
     /* f's own scale is free: divide by a, or, where a is nearly nothing, by b's size. */
-    const double scale = stiff ? 1 / (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2])) +
-                                      fabs(f.a) * span)
-                               : -1 / f.a;
+    const double scale =
+        stiff ? 1 / (fabs(f.b[0]) + pixels * (fabs(f.b[1]) + fabs(f.b[2])) + fabs(f.a) * span)
+              : -1 / f.a;
     double s[6];
     for (int i = 0; i < 6; i++)
         s[i] = f.s[i] * scale * scale;
@@ -369,7 +370,8 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     texels[0][3] = code;
 }
 
-/* The middle of the two crossings. Where that is far away, the leaf's own, if it is before the eye. */
+/* The middle of the two crossings. Where that is far away, the leaf's own, if it is before the eye.
+ */
 void csg_screen_base(const struct csg_screen *screen, const double texels[CSG_QUADRIC_TEXELS][4],
                      struct csg_vec3 center, double radius, float base[3])
 {

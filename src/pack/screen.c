@@ -196,14 +196,13 @@ struct csg_pixel csg_screen_pixel(const struct csg_screen *screen, struct csg_ve
 
 /*
  * c / slope as a plane's texel. Where rays run along the plane, or the eye is in it, slope is
- * nothing and the sign of c alone decides: the terms are scaled together, so that the sum keeps its sign
- * and is far beyond any crossing in view.
+ * nothing and the sign of c alone decides: the terms are scaled together, so that the sum keeps its
+ * sign and is far beyond any crossing in view.
  */
 static void put_plane(const struct csg_screen *screen, const double c[3], double slope,
                       double texel[4])
 {
-    const double size =
-        fabs(c[0]) + screen->width * fabs(c[1]) + screen->height * fabs(c[2]);
+    const double size = fabs(c[0]) + screen->width * fabs(c[1]) + screen->height * fabs(c[2]);
     const double sign = slope < 0 ? -1 : 1;
     const bool steep = size > CSG_PLANE_KEY_MAX * fabs(slope);
     const double scale = steep ? sign * CSG_PLANE_KEY_MAX / size : size > 0 ? 1 / slope : 0;

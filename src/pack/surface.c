@@ -30,8 +30,7 @@ static struct homogeneous project(const struct csg_screen *screen, struct csg_pi
     const double t = csg_dot(across, screen->forward), w = flat ? 1 : t;
     const struct csg_vec3 dx = flat ? screen->origin_dx : screen->direction_dx;
     const struct csg_vec3 dy = flat ? screen->origin_dy : screen->direction_dy;
-    const struct csg_vec3 off =
-        flat ? across : csg_sub(across, csg_scale(t, screen->direction));
+    const struct csg_vec3 off = flat ? across : csg_sub(across, csg_scale(t, screen->direction));
     return (struct homogeneous){csg_dot(off, dx) / csg_dot(dx, dx) - w * at.x,
                                 csg_dot(off, dy) / csg_dot(dy, dy) - w * at.y, w, t};
 }
@@ -83,13 +82,12 @@ static struct csg_view_node view_triangle(const struct csg_surface_view *view, u
                                          &view->points[corners[2]]};
     if (isnan(p[0]->key + p[1]->key + p[2]->key))
         return cut_triangle(p);
-    return (struct csg_view_node){
-        {least(p[0]->x, p[1]->x, p[2]->x) - RECT_MARGIN,
-         least(p[0]->y, p[1]->y, p[2]->y) - RECT_MARGIN},
-        {RECT_MARGIN - least(-p[0]->x, -p[1]->x, -p[2]->x),
-         RECT_MARGIN - least(-p[0]->y, -p[1]->y, -p[2]->y)},
-        least(p[0]->key, p[1]->key, p[2]->key),
-        -least(-p[0]->key, -p[1]->key, -p[2]->key)};
+    return (struct csg_view_node){{least(p[0]->x, p[1]->x, p[2]->x) - RECT_MARGIN,
+                                   least(p[0]->y, p[1]->y, p[2]->y) - RECT_MARGIN},
+                                  {RECT_MARGIN - least(-p[0]->x, -p[1]->x, -p[2]->x),
+                                   RECT_MARGIN - least(-p[0]->y, -p[1]->y, -p[2]->y)},
+                                  least(p[0]->key, p[1]->key, p[2]->key),
+                                  -least(-p[0]->key, -p[1]->key, -p[2]->key)};
 }
 
 /* Whether a pixel's centre is within; centres are at half numbers. */
@@ -126,9 +124,9 @@ static void set_near(struct csg_surface_view *view, const struct csg_screen *scr
     const double distance = csg_length(csg_sub(center, screen->origin));
     const double t = fmax(distance - radius, NEAR_SHARE * radius);
     view->tnear = screen->orthographic ? -INFINITY : NEAR_SHARE * (radius + distance);
-    view->slack = SLACK_ROUNDINGS * shape->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
-    view->turns =
-        screen->orthographic ? 0 : csg_surface_winding(view->surface, screen->origin);
+    view->slack =
+        SLACK_ROUNDINGS * shape->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
+    view->turns = screen->orthographic ? 0 : csg_surface_winding(view->surface, screen->origin);
 }
 
 bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,
@@ -162,14 +160,14 @@ void csg_surface_view_finish(struct csg_surface_view *view)
 
 static bool overlaps(const struct csg_view_node *node, const struct csg_view_rect *rect)
 {
-    return node->lo[0] <= rect->hi[0] && node->hi[0] >= rect->lo[0] &&
-           node->lo[1] <= rect->hi[1] && node->hi[1] >= rect->lo[1];
+    return node->lo[0] <= rect->hi[0] && node->hi[0] >= rect->lo[0] && node->lo[1] <= rect->hi[1] &&
+           node->hi[1] >= rect->lo[1];
 }
 
 static bool is_within(const struct csg_view_node *node, const struct csg_view_rect *rect)
 {
-    return node->lo[0] >= rect->lo[0] && node->hi[0] <= rect->hi[0] &&
-           node->lo[1] >= rect->lo[1] && node->hi[1] <= rect->hi[1];
+    return node->lo[0] >= rect->lo[0] && node->hi[0] <= rect->hi[0] && node->lo[1] >= rect->lo[1] &&
+           node->hi[1] <= rect->hi[1];
 }
 
 bool csg_surface_view_range(const struct csg_surface_view *view, const struct csg_view_rect *rect,

@@ -44,8 +44,8 @@ struct entry {
 struct record {
     struct csg_terms *terms;
     const struct csg_surface_view *view;
-    int size[2];     /* pixels */
-    double lo[2];    /* counted from the reference pixel */
+    int size[2];  /* pixels */
+    double lo[2]; /* counted from the reference pixel */
     int cell, columns, rows;
     uint32_t first_normal, num_normals;
     CSG_ARRAY(struct face) faces;
@@ -177,8 +177,8 @@ enum side { BESIDE, COVERS, CUTS };
 static enum side side_of(const struct record *record, const struct edge *edge, int column, int row)
 {
     const int left = column * record->cell, bottom = row * record->cell;
-    const int top = bottom + record->cell < record->size[1] ? bottom + record->cell
-                                                            : record->size[1];
+    const int top =
+        bottom + record->cell < record->size[1] ? bottom + record->cell : record->size[1];
     const int end = edge->first_row + edge->rows;
     if (end <= bottom || edge->first_row >= top || edge->right < left)
         return BESIDE;
@@ -282,7 +282,8 @@ struct cell {
 };
 
 /* The lists by cell, from texel first on; returns the length of the longest. */
-static size_t put_lists(const struct record *record, struct cell *cells, float *texels, size_t first)
+static size_t put_lists(const struct record *record, struct cell *cells, float *texels,
+                        size_t first)
 {
     size_t longest = 0, num_cells = (size_t)record->columns * (size_t)record->rows;
     for (size_t i = 0; i < record->entries.num; i++) {
@@ -303,8 +304,8 @@ static size_t put_lists(const struct record *record, struct cell *cells, float *
     }
     for (size_t i = 0; i < record->entries.num; i++) {
         const struct entry *entry = &record->entries.data[i];
-        uint32_t *next = entry->num_edges ? &cells[entry->cell].next_cut
-                                          : &cells[entry->cell].next_cover;
+        uint32_t *next =
+            entry->num_edges ? &cells[entry->cell].next_cut : &cells[entry->cell].next_cover;
         put_entry(record, entry, texels + (size_t)4 * *next);
         *next += entry_texels(record, entry->num_edges > 0);
     }
@@ -366,9 +367,9 @@ bool csg_surface_add_record(struct csg_terms *terms, const struct csg_step *step
                             .view = csg_terms_view(terms, step->leaf),
                             .size = {hi[0] - lo[0], hi[1] - lo[1]},
                             .lo = {lo[0] - at.x, lo[1] - at.y}};
-    const struct csg_view_rect rect = {{record.lo[0] + 0.5, record.lo[1] + 0.5},
-                                       {record.lo[0] + record.size[0] - 0.5,
-                                        record.lo[1] + record.size[1] - 0.5}};
+    const struct csg_view_rect rect = {
+        {record.lo[0] + 0.5, record.lo[1] + 0.5},
+        {record.lo[0] + record.size[0] - 0.5, record.lo[1] + record.size[1] - 0.5}};
     struct csg_view_list list = {0};
     const bool ok = csg_surface_view_list(record.view, &rect, &list) &&
                     fill_record(&record, &list) && put_record(&record, step);

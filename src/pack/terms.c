@@ -62,7 +62,8 @@ static void put_normal(float texel[4], struct csg_vec3 normal, double sign, floa
 
 /* The planes' texels, entries before exits, and their normals in the order of the leaf's faces. */
 static uint32_t put_planes(const struct csg_terms *terms, const struct csg_node *node,
-                           uint32_t first_face, double (*texels)[4], float (*normals)[4], float block)
+                           uint32_t first_face, double (*texels)[4], float (*normals)[4],
+                           float block)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const uint32_t begin = carriers->face_begin[node->leaf];
@@ -99,9 +100,9 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(&frame->screen, frame->at, &carriers->quadrics[face.carrier],
-                       face.flipped, scene->leaves[leaf].shape.convex,
-                       carriers->sheets[leaf], center, radius, texels);
+    csg_screen_quadric(&frame->screen, frame->at, &carriers->quadrics[face.carrier], face.flipped,
+                       scene->leaves[leaf].shape.convex, carriers->sheets[leaf], center, radius,
+                       texels);
     if (base)
         csg_screen_base(&frame->screen, (const double(*)[4])texels, center, radius, base);
 }
@@ -180,13 +181,14 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
     const uint32_t num_planes =
-        shape->surface ? 0 : carriers->face_begin[node->leaf + 1] - carriers->face_begin[node->leaf];
+        shape->surface ? 0
+                       : carriers->face_begin[node->leaf + 1] - carriers->face_begin[node->leaf];
     const uint32_t first_face = shape->has_quadric ? CSG_NORMAL_TERMS : 0;
     const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
     const size_t padding = block * 4 - terms->frame->texels.num / 4;
-    float *room = csg_frame_add_texels(
-        terms->frame, padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes);
+    float *room = csg_frame_add_texels(terms->frame,
+                                       padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes);
     if (!room || !csg_array_reserve(&terms->texels, 4 * num_texels))
         return false;
     float(*attributes)[4] = (float(*)[4])(room + 4 * padding);

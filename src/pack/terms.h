@@ -8,22 +8,22 @@
 #include "pack/surface.h"
 
 struct csg_leaf_terms {
-    size_t texels;         /* in csg_terms.texels: entry planes, exit planes, the quadric's */
+    size_t texels; /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
-    uint32_t flags;        /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC, _GAP of the leaf */
-    uint32_t view;         /* of a surface: in csg_terms.views */
-    size_t attributes;     /* attribute block / 4, in the frame's texels */
+    uint32_t flags;    /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC, _GAP of the leaf */
+    uint32_t view;     /* of a surface: in csg_terms.views */
+    size_t attributes; /* attribute block / 4, in the frame's texels */
 };
 
 struct csg_terms {
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
-    CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
-    CSG_ARRAY(double) texels;                /* four numbers each */
+    CSG_ARRAY(struct csg_leaf_terms) leaves;  /* of the object at hand */
+    CSG_ARRAY(double) texels;                 /* four numbers each */
     CSG_ARRAY(struct csg_surface_view) views; /* of its leaves that are surfaces */
-    uint32_t *index;  /* scene leaf -> leaves; valid for the object's leaves */
-    uint8_t *known;   /* scene leaf -> enum csg_known, for the tiles to fill */
+    uint32_t *index;         /* scene leaf -> leaves; valid for the object's leaves */
+    uint8_t *known;          /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
     bool precise;            /* records hold low parts too, for programs in double */
     double error;            /* largest, of a stiff quadric: see csg_quadric_error */
@@ -34,8 +34,8 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
                     const struct csgcast_scene *scene, const struct csg_frame_params *params);
 void csg_terms_finish(struct csg_terms *terms);
 
-/* Replaces the leaves by those of object, seen in rect; writes their attribute blocks into the frame. Makes
- * terms precise where a stiff quadric asks for it. */
+/* Replaces the leaves by those of object, seen in rect; writes their attribute blocks into the
+ * frame. Makes terms precise where a stiff quadric asks for it. */
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
                     const struct csg_rect *rect);
 
@@ -54,7 +54,7 @@ static inline const struct csg_surface_view *csg_terms_view(const struct csg_ter
 
 /* The texel at place i of a leaf's. */
 static inline const double *csg_terms_texel(const struct csg_terms *terms,
-                                           const struct csg_leaf_terms *leaf, size_t i)
+                                            const struct csg_leaf_terms *leaf, size_t i)
 {
     return terms->texels.data + 4 * (leaf->texels + i);
 }

@@ -20,8 +20,8 @@
 /* What Clipper allows a mitered corner, in units of the distance. */
 #define MITER_LIMIT 1e6
 
-/* OpenSCAD 2021.01 hands Clipper its lengths times this; Clipper takes arcs at least as fine as that
- * part of the distance. */
+/* OpenSCAD 2021.01 hands Clipper its lengths times this; Clipper takes arcs at least as fine as
+ * that part of the distance. */
 #define CLIPPER_SCALE 65536.0
 #define CLIPPER_MAX_TOLERANCE 0.25
 
@@ -100,7 +100,8 @@ static double clipper_steps(int num, double size)
     return fmin(steps, delta * PI);
 }
 
-/* Clipper's arc (DoRound): equal steps from the first normal on; the last one is longer or shorter. */
+/* Clipper's arc (DoRound): equal steps from the first normal on; the last one is longer or shorter.
+ */
 static bool add_arc(struct mover *mover, const struct corner *corner, double rounding)
 {
     const double steps = clipper_steps(mover->offset->num, mover->size), step = 2 * PI / steps;

@@ -258,8 +258,8 @@ static bool cut_all(struct bsp *bsp)
     return ok;
 }
 
-enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_faces, size_t max_planes,
-                                        struct csg_part *part)
+enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_faces,
+                                        size_t max_planes, struct csg_part *part)
 {
     const double near = ON_PLANE * mesh->size + 2 * mesh->rounding;
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = mesh->rounding};

@@ -46,7 +46,8 @@ struct csg_surface_crossings {
     struct csg_meetings meetings;
 };
 
-/* Replaces the crossings by those of the leaf, which is bounded by a surface. false: out of memory. */
+/* Replaces the crossings by those of the leaf, which is bounded by a surface. false: out of memory.
+ */
 bool csg_cross_surface(const struct csgcast_scene *scene, uint32_t leaf, const struct csg_ray *ray,
                        struct csg_surface_crossings *crossings);
 

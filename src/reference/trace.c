@@ -185,7 +185,8 @@ static bool evaluate(const struct csgcast_scene *scene, const struct csg_object 
 /* Widened a little: rounding here must not lose a grazing hit. */
 static bool meets_box(const struct csg_box *box, const struct csg_ray *ray)
 {
-    const double lo[3] = {box->lo.x, box->lo.y, box->lo.z}, hi[3] = {box->hi.x, box->hi.y, box->hi.z};
+    const double lo[3] = {box->lo.x, box->lo.y, box->lo.z},
+                 hi[3] = {box->hi.x, box->hi.y, box->hi.z};
     const double org[3] = {ray->org.x, ray->org.y, ray->org.z};
     const double dir[3] = {ray->dir.x, ray->dir.y, ray->dir.z};
     double tnear = ray->tnear, tfar = INFINITY;
@@ -247,8 +248,8 @@ static bool trace_layer(const struct csgcast_scene *scene, uint8_t layer, const 
     }
     if (!best->inside)
         return true;
-    const struct csg_object all = {layer, layer, false, false, 0,
-                                   (uint32_t)scene->trees[layer].num, csg_box_all};
+    const struct csg_object all = {
+        layer, layer, false, false, 0, (uint32_t)scene->trees[layer].num, csg_box_all};
     *best = (struct best){.found = false};
     return try_object(scene, &all, ray, scratch, best);
 }

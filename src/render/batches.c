@@ -24,10 +24,10 @@ struct chooser {
     size_t num_straight;
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
-    GLuint cpu;                 /* for what needs double without having it */
+    GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
     bool tiles_prepared;
-    size_t max_handed;          /* flat inputs that the driver allows */
+    size_t max_handed; /* flat inputs that the driver allows */
 };
 
 static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
@@ -88,9 +88,9 @@ static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
     features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
-    return csg_programs_get(&chooser->renderer->programs,
-                            csg_source_geometry(resolver, features, structure,
-                                                chooser->max_handed));
+    return csg_programs_get(
+        &chooser->renderer->programs,
+        csg_source_geometry(resolver, features, structure, chooser->max_handed));
 }
 
 static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure,
@@ -209,8 +209,8 @@ static bool prepare_tiles(struct chooser *chooser)
     for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
         if (!choose_chain(chooser, i))
             return false;
-    return choose_shared(chooser, CSG_RESOLVER_LOOP,
-                         CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP, &resolver) != 0;
+    return choose_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP,
+                         &resolver) != 0;
 }
 
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
@@ -265,14 +265,14 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
         batches->drawn[resolver]++;
     const bool alone = draw->translucent || draw->paint != CSG_LAYER_MODEL;
     if (last && last->program == program && last->layer == draw->layer &&
-        (!alone || last->object == draw->object) &&
-        last->paint == draw->paint && last->translucent == draw->translucent &&
-        last->rear == rear) {
+        (!alone || last->object == draw->object) && last->paint == draw->paint &&
+        last->translucent == draw->translucent && last->rear == rear) {
         last->num++;
         return true;
     }
     const struct csg_batch batch = {
-        program, rear, draw->layer, draw->paint, draw->translucent, draw->object, instance, 1, NULL};
+        program,      rear,     draw->layer, draw->paint, draw->translucent,
+        draw->object, instance, 1,           NULL};
     return csg_array_push(batches, batch);
 }
 
@@ -280,7 +280,8 @@ static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, G
 static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GLuint *rear)
 {
     enum csg_resolver resolver;
-    const bool shows = draw->single && !is_for_cpu(chooser, draw) && (draw->translucent || draw->paint != CSG_LAYER_MODEL);
+    const bool shows = draw->single && !is_for_cpu(chooser, draw) &&
+                       (draw->translucent || draw->paint != CSG_LAYER_MODEL);
     *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
                                   CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
                   : 0;
@@ -304,8 +305,7 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
         const struct csg_crowd_run *run = &crowd->runs.data[i];
         if (run->num == 0)
             continue;
-        const GLuint program = csg_programs_get(
-            &renderer->programs, csg_source_single(run));
+        const GLuint program = csg_programs_get(&renderer->programs, csg_source_single(run));
         const struct csg_batch batch = {.program = program,
                                         .layer = CSG_LAYER_MODEL,
                                         .paint = CSG_LAYER_MODEL,
@@ -378,8 +378,8 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
                         const struct csg_request *request, const struct choice *choice,
                         bool is_first)
 {
-    const bool overflowed = request->resolver == CSG_RESOLVER_ALGORITHM4 &&
-                            choice->resolver == CSG_RESOLVER_LOOP;
+    const bool overflowed =
+        request->resolver == CSG_RESOLVER_ALGORITHM4 && choice->resolver == CSG_RESOLVER_LOOP;
     const bool may_loop =
         choice->resolver != CSG_RESOLVER_STRAIGHT && choice->resolver != CSG_RESOLVER_CHAIN;
     renderer->stats.overflowed_objects += overflowed && is_first;
@@ -394,8 +394,7 @@ static bool prepare_single(struct chooser *chooser, uint32_t object,
     const struct csg_structure structure = structure_of(chooser->request, object);
     if (structure.num != 1)
         return true;
-    const struct csg_shape *shape =
-        &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
+    const struct csg_shape *shape = &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
     if (shape->num_planes > CSG_CROWD_MAX_PLANES || shape->surface ||
         seen[shape->has_quadric][shape->num_planes])
         return true;

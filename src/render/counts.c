@@ -22,7 +22,8 @@ static size_t add_variant(char *text, size_t size, size_t used, const char *name
 {
     if (num == 0 || used >= size)
         return used;
-    return used + (size_t)snprintf(text + used, size - used, "%s%s %zu", used ? ", " : "", name, num);
+    return used +
+           (size_t)snprintf(text + used, size - used, "%s%s %zu", used ? ", " : "", name, num);
 }
 
 /* The resolvers used, and how many objects each drew. */
@@ -34,8 +35,8 @@ static void name_variants(const struct csg_picture *picture, char *text, size_t 
         skip = (size_t)snprintf(text, size, CSG_TEXTBOOK_NAME ": ");
     size_t used = add_variant(text + skip, size - skip, 0, "single", batches->drawn_single);
     for (int i = 0; i < CSG_NUM_RESOLVERS; i++)
-        used = add_variant(text + skip, size - skip, used, csg_resolver_names[i],
-                           batches->drawn[i]);
+        used =
+            add_variant(text + skip, size - skip, used, csg_resolver_names[i], batches->drawn[i]);
     add_variant(text + skip, size - skip, used, "reference", batches->on_cpu);
 }
 

@@ -22,24 +22,25 @@
 
 /* Which batches a round draws. */
 struct round {
-    bool geometry;   /* all of the model; writes distance, normal and leaf */
-    bool overlay;    /* blended over what is there */
-    bool rear;       /* the far sides */
-    uint8_t paint;   /* without geometry: what is painted so, */
+    bool geometry;    /* all of the model; writes distance, normal and leaf */
+    bool overlay;     /* blended over what is there */
+    bool rear;        /* the far sides */
+    uint8_t paint;    /* without geometry: what is painted so, */
     bool translucent; /* ... and is translucent or not, */
-    uint32_t object; /* ... this one; ALL_OBJECTS */
+    uint32_t object;  /* ... this one; ALL_OBJECTS */
 };
 
 #define ALL_OBJECTS (UINT32_MAX - 1)
 
-/* Translucent objects come one after the other, as OpenSCAD draws them; more than these together. */
+/* Translucent objects come one after the other, as OpenSCAD draws them; more than these together.
+ */
 #define MAX_OVERLAYS 64
 
 static void set_textbook_rays(const struct csg_picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
-    const struct csg_textbook_rays rays = csg_textbook_rays(
-        &picture->renderer->frame.screen, picture->renderer->frame.at);
+    const struct csg_textbook_rays rays =
+        csg_textbook_rays(&picture->renderer->frame.screen, picture->renderer->frame.at);
     gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_origin"), 3, rays.origin);
     gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_direction"), 3, rays.direction);
     gl->Uniform1f(gl->GetUniformLocation(program, "csg_ray_start"), rays.start);
@@ -65,7 +66,8 @@ static void set_screen(const struct csg_picture *picture, GLuint program)
 }
 
 /* Many batches share a program: its uniforms are set once a round. */
-static void use_program(const struct csg_picture *picture, const struct round *round, GLuint program)
+static void use_program(const struct csg_picture *picture, const struct round *round,
+                        GLuint program)
 {
     struct csg_programs *programs = &picture->renderer->programs;
     struct csg_compiled *compiled = csg_programs_find(programs, program);
@@ -114,7 +116,8 @@ static void bind_instances(const struct csg_picture *picture, const struct csg_b
     struct csg_gl *gl = picture->gl;
     const struct csgcast_renderer *renderer = picture->renderer;
     gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, batch->run ? renderer->crowd_buffer : renderer->instance_buffer);
+    gl->BindBuffer(GL_ARRAY_BUFFER,
+                   batch->run ? renderer->crowd_buffer : renderer->instance_buffer);
     if (batch->run)
         point_crowd(gl, batch->run);
     else
@@ -261,8 +264,8 @@ static void read_visible(const struct csg_picture *picture)
     struct csg_gl *gl = picture->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.geometry_fbo);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RG_INTEGER,
-                   GL_UNSIGNED_INT, picture->visible);
+    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, GL_RG_INTEGER, GL_UNSIGNED_INT,
+                   picture->visible);
 }
 
 static void draw_round(const struct csg_picture *picture, const struct round *round)
@@ -280,8 +283,11 @@ static bool is_opaque(const struct csg_batch *batch)
 static void draw_overlay(const struct csg_picture *picture, const struct csg_batch *batch,
                          uint32_t object)
 {
-    struct round round = {.overlay = true, .rear = true, .paint = batch->paint,
-                          .translucent = batch->translucent, .object = object};
+    struct round round = {.overlay = true,
+                          .rear = true,
+                          .paint = batch->paint,
+                          .translucent = batch->translucent,
+                          .object = object};
     if (batch->rear)
         draw_round(picture, &round);
     round.rear = false;
@@ -421,7 +427,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))
         return csg_log_memory(&renderer->log);
     renderer->stats.cpu_ms = csg_clock_ms() - start;
-       struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
+    struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
     const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&

@@ -19,13 +19,13 @@
 
 /* What a node of the document is. */
 struct csg_meaning {
-    uint8_t role;      /* enum csg_role */
-    uint8_t kind;      /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
-    uint8_t dimension; /* 2 or 3; 0: nothing in it says */
-    bool is_covered; /* all of it is part of a highlighted subtree around it */
+    uint8_t role;       /* enum csg_role */
+    uint8_t kind;       /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
+    uint8_t dimension;  /* 2 or 3; 0: nothing in it says */
+    bool is_covered;    /* all of it is part of a highlighted subtree around it */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
-    bool is_slab; /* a drawing that no extrusion is around: csg_compound_slab draws it */
-    bool is_misplaced; /* two-dimensional among solids or the other way round: no operand */
+    bool is_slab;       /* a drawing that no extrusion is around: csg_compound_slab draws it */
+    bool is_misplaced;  /* two-dimensional among solids or the other way round: no operand */
     /* ROLE_SOLID: the index of its leaf; ROLE_COMPOUND: of its tree's root in the builder's parts;
      * CSG_NO_LEAF when it is empty. */
     uint32_t leaf;
@@ -49,8 +49,8 @@ struct csg_builder {
     struct csgcast_scene *scene;
     enum csgcast_facets facets;
     bool skip_unsupported;
-    struct csg_handoff *handoff; /* NULL: what is not native is not supported */
-    const char *directory; /* where relative file names in the text start; "." at least */
+    struct csg_handoff *handoff;  /* NULL: what is not native is not supported */
+    const char *directory;        /* where relative file names in the text start; "." at least */
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
@@ -77,9 +77,9 @@ bool csg_build_unsupported(struct csg_builder *builder);
 bool csg_build_leaves(struct csg_builder *builder);
 
 /*
- * The node cannot be done natively, for that reason ("text: ..."): it is handed to openscad, or where
- * that cannot be, reported as an error or, with skip_unsupported, a warning. In each case it is
- * empty for now.
+ * The node cannot be done natively, for that reason ("text: ..."): it is handed to openscad, or
+ * where that cannot be, reported as an error or, with skip_unsupported, a warning. In each case it
+ * is empty for now.
  */
 void csg_unsupported(struct csg_builder *builder, uint32_t node, const char *reason);
 

@@ -18,8 +18,8 @@ bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_l
 /* Reads an open file to its end. false, with errno set, on failure. */
 bool csg_file_read_all(int fd, struct csg_bytes *bytes);
 
-/* Makes a folder of our own below $TMPDIR or /tmp. The caller frees the name and removes the folder.
- * NULL, with errno set, on failure. */
+/* Makes a folder of our own below $TMPDIR or /tmp. The caller frees the name and removes the
+ * folder. NULL, with errno set, on failure. */
 char *csg_folder_make(void);
 
 #endif

@@ -32,7 +32,7 @@ struct csg_handed_off {
 
 struct csg_handoff {
     const struct csgcast_scene_params *params;
-    const struct csg_document *document; /* its names */
+    const struct csg_document *document;    /* its names */
     CSG_ARRAY(struct csg_handed_off) nodes; /* those that are evaluated first, sorted by node */
     size_t num_evaluated;
     CSG_ARRAY(struct csg_handoff_result) results;
@@ -56,7 +56,8 @@ static inline bool csg_handoff_is_wanted(const struct csg_handoff *handoff)
  * with skip_unsupported as a warning. false, with a message, when memory is out. */
 bool csg_handoff_run(struct csg_handoff *handoff, struct csg_report *report);
 
-/* Notes in the scene what was evaluated, for its info. false, with a message, when memory is out. */
+/* Notes in the scene what was evaluated, for its info. false, with a message, when memory is out.
+ */
 bool csg_handoff_note(const struct csg_handoff *handoff, struct csgcast_scene *scene);
 
 /* What was made of the node; NULL: nothing. */

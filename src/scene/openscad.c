@@ -103,16 +103,16 @@ static void finish(struct run *run)
 }
 
 /*
- * A -D is an assignment at the end of the file: variables before it that were made of $preview would
- * keep the old one. openscad --render sets it before the file is read.
+ * A -D is an assignment at the end of the file: variables before it that were made of $preview
+ * would keep the old one. openscad --render sets it before the file is read.
  */
 static bool is_render(const char *define)
 {
     return strcmp(define, "$preview=false") == 0;
 }
 
-/* openscad [--render] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed; the caller frees
- * argv. */
+/* openscad [--render] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed; the caller
+ * frees argv. */
 static char **make_argv(const struct run *run, const struct csgcast_scene_params *params)
 {
     const size_t num_defines = params->defines ? params->num_defines : 0;

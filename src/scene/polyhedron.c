@@ -7,9 +7,9 @@
 #include "polyhedra/mesh.h"
 #include "scene/compounds.h"
 
-/* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and from
- * so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are made of
- * convex solids. */
+/* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and
+ * from so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are
+ * made of convex solids. */
 enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
 
 static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
@@ -68,11 +68,12 @@ static void warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_
 {
     const struct csg_vec3 a = mesh->points.data[gaps->points[0]];
     const struct csg_vec3 b = mesh->points.data[gaps->points[1]];
-    csg_walk_warning(walk, node,
-                     "not closed: %zu edge%s, one of them from [%g, %g, %g] to [%g, %g, %g], %s not "
-                     "belong to two faces in opposite directions; the picture may be wrong",
-                     gaps->num, gaps->num == 1 ? "" : "s", a.x, a.y, a.z, b.x, b.y, b.z,
-                     gaps->num == 1 ? "does" : "do");
+    csg_walk_warning(
+        walk, node,
+        "not closed: %zu edge%s, one of them from [%g, %g, %g] to [%g, %g, %g], %s not "
+        "belong to two faces in opposite directions; the picture may be wrong",
+        gaps->num, gaps->num == 1 ? "" : "s", a.x, a.y, a.z, b.x, b.y, b.z,
+        gaps->num == 1 ? "does" : "do");
 }
 
 static bool add_surface(const struct csg_mesh *mesh, bool open, struct csg_part *part)
@@ -105,8 +106,7 @@ bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct 
 {
     struct csg_mesh mesh = {0};
     (void)in_boolean;
-    const bool ok =
-        csg_polyhedron_read(args, &mesh) && csg_polyhedron_add(walk, node, &mesh, part);
+    const bool ok = csg_polyhedron_read(args, &mesh) && csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }

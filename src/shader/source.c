@@ -8,8 +8,8 @@
 
 #include "shader/files.h"
 
-const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop", "algorithm4",
-                                                               "double"};
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop",
+                                                           "algorithm4", "double"};
 
 const char *csgcast_variant_name(size_t index)
 {
@@ -185,7 +185,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain)
 {
     struct csg_text vertex = {0}, fragment = {0};
-    start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, chain->quadrics ? CSG_FEATURE_QUADRIC : 0);
+    start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN,
+                   chain->quadrics ? CSG_FEATURE_QUADRIC : 0);
     add_file(&vertex, "csg/chain.vert.glsl");
     add_file(&fragment, "csg/chain.glsl");
     csg_source_chain(&vertex, &fragment, chain);
@@ -197,8 +198,8 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run)
     struct csg_text vertex = {0}, fragment = {0}, *texts[2] = {&vertex, &fragment};
     for (int i = 0; i < 2; i++) {
         add_preamble(texts[i], 0);
-        csg_text_add(texts[i], "#define CSG_NUM_PLANES %u\n#define CSG_NUM_TEXELS %u\n", run->num_planes,
-                     run->num_planes + (run->has_quadric ? 3 : 0));
+        csg_text_add(texts[i], "#define CSG_NUM_PLANES %u\n#define CSG_NUM_TEXELS %u\n",
+                     run->num_planes, run->num_planes + (run->has_quadric ? 3 : 0));
     }
     if (run->has_quadric)
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");

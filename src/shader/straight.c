@@ -11,8 +11,8 @@
 #include <stdlib.h>
 
 struct leaf_code {
-    size_t record;  /* offset of the record from the object's first */
-    unsigned rank;  /* among the object's leaves, in file order */
+    size_t record; /* offset of the record from the object's first */
+    unsigned rank; /* among the object's leaves, in file order */
     size_t num_planes;
     bool gap;
 };
@@ -27,8 +27,7 @@ static unsigned rank_of(const struct csg_structure *structure, size_t step)
 {
     unsigned rank = 0;
     for (size_t i = 0; i < structure->num; i++)
-        rank += !is_pop(structure, i) &&
-                structure->steps[i].leaf < structure->steps[step].leaf;
+        rank += !is_pop(structure, i) && structure->steps[i].leaf < structure->steps[step].leaf;
     return rank;
 }
 
@@ -70,8 +69,9 @@ static void add_quadrics(struct parameters *parameters, const struct csg_structu
     csg_text_add(text, "#ifdef CSG_HAS_STIFF\n");
     for (size_t i = 0; i < structure->num; i++)
         if (structure->steps[i].flags & CSG_RECORD_QUADRIC)
-            csg_text_add(text, "    q%zu.key = (q%zu.code & CSG_QUADRIC_STIFF) != 0 ? "
-                               "csg_stiff_quadric(begin + %zu, d) : q%zu.key;\n",
+            csg_text_add(text,
+                         "    q%zu.key = (q%zu.code & CSG_QUADRIC_STIFF) != 0 ? "
+                         "csg_stiff_quadric(begin + %zu, d) : q%zu.key;\n",
                          i, i, leaves[i].record + 1 + leaves[i].num_planes, i);
     csg_text_add(text, "#endif\n");
 }
@@ -93,8 +93,8 @@ static void add_spans(struct parameters *parameters, const struct csg_structure 
             csg_text_add(text, "    vec2 g%zu = csg_gap_quadric(q%zu, %zu, s%zu);\n", i, i,
                          leaves[i].num_planes, i);
         else if (structure->steps[i].flags & CSG_RECORD_QUADRIC)
-            csg_text_add(text, "    csg_clip_quadric(q%zu, %zu, s%zu);\n", i,
-                         leaves[i].num_planes, i);
+            csg_text_add(text, "    csg_clip_quadric(q%zu, %zu, s%zu);\n", i, leaves[i].num_planes,
+                         i);
     }
 }
 
@@ -107,8 +107,7 @@ static void fill_leaves(const struct csg_structure *structure, struct leaf_code 
         if (is_pop(structure, i))
             continue;
         leaves[i].rank = rank_of(structure, i);
-        leaves[i].num_planes =
-            structure->scene->leaves[structure->steps[i].leaf].shape.num_planes;
+        leaves[i].num_planes = structure->scene->leaves[structure->steps[i].leaf].shape.num_planes;
         record += leaves[i].num_planes + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
     }
 }
@@ -166,8 +165,8 @@ static void add_change_value(struct csg_text *text, const struct csg_structure *
     csg_text_add(text, "%s, %u%s, ivec2(begin + %zu, ", negated ? ")" : "", leaves[i].rank,
                  negated ? " + CSG_RANK_NEGATED" : "", leaves[i].record);
     if (leaves[i].gap)
-        csg_text_add(text, "csg_face_at_gap(k, s%zu, g%zu, %zu, %s)))", i, i,
-                     leaves[i].num_planes, negated ? "false" : "true");
+        csg_text_add(text, "csg_face_at_gap(k, s%zu, g%zu, %zu, %s)))", i, i, leaves[i].num_planes,
+                     negated ? "false" : "true");
     else
         csg_text_add(text, "csg_face_at(k, s%zu, %s)))", i, negated ? "false" : "true");
 }
@@ -219,13 +218,15 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
         add_search(&code, structure, leaves);
         add_change(&code, structure, leaves);
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
-        csg_text_add(fragment, "flat in vec4 csg_handed[%zu];\n\n"
-                               "bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place,"
-                               " out bool inside)\n{\n    int begin = object.x;\n"
-                               "    inside = false;\n%s",
+        csg_text_add(fragment,
+                     "flat in vec4 csg_handed[%zu];\n\n"
+                     "bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place,"
+                     " out bool inside)\n{\n    int begin = object.x;\n"
+                     "    inside = false;\n%s",
                      parameters.num_handed, code.data ? code.data : "");
-        csg_text_add(vertex, "flat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
-                             "void csg_hand_over(int begin, int end)\n{\n%s}\n",
+        csg_text_add(vertex,
+                     "flat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
+                     "void csg_hand_over(int begin, int end)\n{\n%s}\n",
                      handing.data ? handing.data : "");
     }
     vertex->failed |= !leaves || handing.failed || code.failed;

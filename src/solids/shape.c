@@ -107,7 +107,8 @@ struct csg_vec3 csg_quadric_gradient(const struct csg_quadric *quadric, struct c
 bool csg_quadric_ball(const struct csg_quadric *quadric, struct csg_vec3 *center, double *radius)
 {
     const double(*m)[4] = quadric->to_canon.m;
-    const double *d = quadric->diag, size = m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0];
+    const double *d = quadric->diag,
+                 size = m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0];
     if (d[0] != 1 || d[1] != 1 || d[2] != 1 || d[3] != -1 || quadric->linear != 0)
         return false;
     for (int i = 0; i < 3; i++)

@@ -36,7 +36,7 @@ struct csg_surface;
 /* Either planes and a quadric, or a surface of triangles and neither. */
 struct csg_shape {
     struct csg_surface *surface; /* owned; NULL: bounded by planes and a quadric (mesh/surface.h) */
-    struct csg_plane *planes; /* owned, malloc'ed; NULL when there are none */
+    struct csg_plane *planes;    /* owned, malloc'ed; NULL when there are none */
     size_t num_planes;
     bool has_quadric;
     struct csg_quadric quadric;
@@ -44,12 +44,12 @@ struct csg_shape {
      * f must have at most one negative eigenvalue (as a 4x4 form), and a solid on one sheet of a
      * double cone or two-sheeted hyperboloid says which: sheet = sign of canonical p.z there. */
     bool convex;
-    int sheet;                   /* -1, 0 (there is only one), 1 */
-    bool facetted;               /* OpenSCAD's facets instead of the true quadric */
-    struct csg_box bounds;       /* of the solid, in the space of `frame`; infinite if unbounded */
-    struct csg_map frame;        /* from the space of `bounds` to the space of the shape */
-    struct csg_box written;      /* box of OpenSCAD's vertices in the same space (frames the camera);
-                                  * equal to bounds where OpenSCAD has no such solid */
+    int sheet;              /* -1, 0 (there is only one), 1 */
+    bool facetted;          /* OpenSCAD's facets instead of the true quadric */
+    struct csg_box bounds;  /* of the solid, in the space of `frame`; infinite if unbounded */
+    struct csg_map frame;   /* from the space of `bounds` to the space of the shape */
+    struct csg_box written; /* box of OpenSCAD's vertices in the same space (frames the camera);
+                             * equal to bounds where OpenSCAD has no such solid */
     /* How far the surface may lie off because numbers in the file were rounded to six digits. */
     double rounding;
     /* How far OpenSCAD's facets may be off the surface; 0 where there are none of them. */

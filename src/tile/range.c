@@ -32,7 +32,8 @@ static struct csg_range parabola(struct csg_range u, double slope, double curve)
     return range;
 }
 
-/* The conic h, or S where the quadric is stiff; texels as shaders/solids/quadric.glsl reads them. */
+/* The conic h, or S where the quadric is stiff; texels as shaders/solids/quadric.glsl reads them.
+ */
 static struct csg_range conic(const double *t, int code, const struct csg_tile_box *tile)
 {
     const double x1 = t[5], y1 = t[6];
@@ -42,8 +43,8 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     const struct csg_range xx = parabola(x, t[9], curve);
     const struct csg_range yy = parabola(y, t[10], t[11]);
     const double c0 = t[7];
-    const double margin = FLOAT_MARGIN * (fabs(c0) + fmax(fabs(xx.lo), fabs(xx.hi)) +
-                                          fmax(fabs(yy.lo), fabs(yy.hi)));
+    const double margin =
+        FLOAT_MARGIN * (fabs(c0) + fmax(fabs(xx.lo), fabs(xx.hi)) + fmax(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 
@@ -58,15 +59,13 @@ static struct quadric_range quadric_range(const double *texels, const struct csg
     const int code = (int)texels[3];
     const struct csg_range h = conic(texels, code, tile);
     const double most = sqrt(fmax(h.hi, 0)), least = sqrt(fmax(h.lo, 0));
-    struct quadric_range range = {.never = h.hi < 0, .always = h.lo > 0, .region = code & 3};
+    struct quadric_range range = {.never = h.hi<0, .always = h.lo> 0, .region = code & 3};
     if (code & CSG_QUADRIC_STIFF) {
-        range.first = range.second =
-            (struct csg_range){-(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
+        range.first = range.second = (struct csg_range){-(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
         range.always = false;
         return range;
     }
-    const struct csg_range m =
-        affine(texels[0], texels[1], texels[2], tile);
+    const struct csg_range m = affine(texels[0], texels[1], texels[2], tile);
     const double margin = FLOAT_MARGIN * (fabs(m.lo) + fabs(m.hi) + most);
     range.first = (struct csg_range){m.lo - most - margin, m.hi - least + margin};
     range.second = (struct csg_range){m.lo + least - margin, m.hi + most + margin};

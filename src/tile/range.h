@@ -16,7 +16,8 @@ struct csg_range {
 /* Where the rays of a tile enter and leave a leaf: bounds that hold for every ray that meets it. */
 struct csg_leaf_range {
     struct csg_range entry, exit;
-    bool solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
+    bool
+        solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
 
 struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile);

@@ -30,7 +30,6 @@ struct task {
 #define STUBBORN_LEAVES 256
 #define STUBBORN_SHARE 0.9
 
-
 struct tiler {
     struct csg_terms *terms;
     const struct csg_draw *draw;
@@ -39,11 +38,11 @@ struct tiler {
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
     CSG_ARRAY(bool) planes;
-    CSG_ARRAY(uint8_t) values;               /* by node, see node_value */
+    CSG_ARRAY(uint8_t) values; /* by node, see node_value */
     CSG_ARRAY(double) candidates;
     struct csg_scan scan;
     size_t max_texels; /* of the frame, from which on tiles are not cut further */
-    bool opaque; /* the tile at hand: the object has certainly begun somewhere in all of it */
+    bool opaque;       /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
 static struct csg_tile_box tile_box(const struct tiler *tiler, const struct task *task)
@@ -95,8 +94,7 @@ static void fill_ranges(struct tiler *tiler, const struct task *task)
  */
 static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context)
 {
-    if (leaf->entry.lo > leaf->exit.hi || leaf->exit.hi < context.lo ||
-        leaf->entry.lo > context.hi)
+    if (leaf->entry.lo > leaf->exit.hi || leaf->exit.hi < context.lo || leaf->entry.lo > context.hi)
         return CSG_NOTHING;
     if (leaf->solid && leaf->entry.hi < context.lo && leaf->exit.lo > context.hi)
         return CSG_EVERYTHING;
@@ -267,7 +265,8 @@ static bool is_surface_alone(const struct tiler *tiler)
 {
     const struct csg_step *step = tiler->scan.program.data;
     return tiler->scan.program.num == 1 && step->flags & CSG_RECORD_SURFACE &&
-           !(step->flags & CSG_RECORD_NEGATED) && csg_terms_view(tiler->terms, step->leaf)->turns == 0;
+           !(step->flags & CSG_RECORD_NEGATED) &&
+           csg_terms_view(tiler->terms, step->leaf)->turns == 0;
 }
 
 static bool emit(struct tiler *tiler, const struct task *task)
@@ -298,13 +297,12 @@ static bool emit(struct tiler *tiler, const struct task *task)
 static bool is_worth_cutting(const struct tiler *tiler, const struct task *task, size_t num_leaves)
 {
     const int tile = tile_size(tiler);
-    const bool smallest =
-        task->hi[0] - task->lo[0] <= tile && task->hi[1] - task->lo[1] <= tile;
+    const bool smallest = task->hi[0] - task->lo[0] <= tile && task->hi[1] - task->lo[1] <= tile;
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
-    const bool small_enough = tiler->terms->views.num == 0 ||
-                              (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
-                               task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
+    const bool small_enough =
+        tiler->terms->views.num == 0 || (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
+                                         task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
     if (!small_enough)
         return true;
     return !smallest && !stubborn && num_leaves > SMALL_LEAVES &&
