@@ -14,6 +14,21 @@
 /* Room asked for at a time where the size is not known. */
 static const size_t chunk_size = 1 << 16;
 
+bool csg_bytes_append(struct csg_bytes *bytes, const void *data, size_t size)
+{
+    if (!csg_array_reserve(bytes, size))
+        return false;
+    if (size > 0)
+        memcpy(bytes->data + bytes->num, data, size);
+    bytes->num += size;
+    return true;
+}
+
+bool csg_bytes_append_text(struct csg_bytes *bytes, const char *text)
+{
+    return csg_bytes_append(bytes, text, strlen(text));
+}
+
 bool csg_file_read_all(int fd, struct csg_bytes *bytes)
 {
     for (;;) {

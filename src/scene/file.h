@@ -12,6 +12,10 @@ struct csg_bytes {
     size_t num, capacity;
 };
 
+/* false: out of memory. */
+bool csg_bytes_append(struct csg_bytes *bytes, const void *data, size_t size);
+bool csg_bytes_append_text(struct csg_bytes *bytes, const char *text);
+
 /* Reads a whole file of any size, "-" being standard input. false: a message was given. */
 bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log);
 

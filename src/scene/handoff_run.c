@@ -5,7 +5,7 @@
  * go through CGAL's union, which takes most of the time there is and rounds what a lone import or
  * resize keeps. Starting openscad takes 0.04 s.
  */
-#include "scene/handoff.h"
+#include "scene/handoff_jobs.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -17,52 +17,20 @@
 #include <unistd.h>
 
 #include "common/clock.h"
-#include "scene/cache.h"
 #include "scene/handoff_mesh.h"
 #include "scene/openscad.h"
-#include "scene/process.h"
 #include "scene/report.h"
-#include "scene/subtree.h"
-
-/* Another number where keys or values mean something else than before. */
-static const char key_version[] = "csgcast handoff 1\n";
 
 static const double progress_after = 1; /* seconds, then once in that time */
 
-/* A text that openscad is to evaluate. */
-struct job {
-    size_t result;        /* in handoff->results */
-    uint32_t node;        /* the first that asks for it */
-    struct csg_bytes key; /* of the cache */
-    struct csg_process process;
-    double begun;
-    bool is_started;
-};
-
-struct run {
-    struct csg_handoff *handoff;
-    struct csg_report *report;
-    struct csg_cache cache;
-    struct csg_bytes version; /* what openscad says about itself */
-    char *program;
-    char *folder; /* for files in between */
-    CSG_ARRAY(struct job) jobs;
-    double begun, told; /* when work began, when the last word about it was said */
-    size_t num_done;
-};
-
-static bool no_memory(const struct run *run)
-{
-    return csg_log_memory(&run->report->log);
-}
-
-static struct csg_place place_of(const struct run *run, uint32_t node)
+static struct csg_place place_of(const struct csg_handoff_run *run, uint32_t node)
 {
     return run->handoff->document->nodes.data[node].place;
 }
 
 /* What stays empty: an error, or a warning where the rest is to be drawn all the same. */
-static void fail(const struct run *run, uint32_t node, const char *what, const char *remedy)
+static void fail(const struct csg_handoff_run *run, uint32_t node, const char *what,
+                 const char *remedy)
 {
     const struct csg_parsed_node *parsed = &run->handoff->document->nodes.data[node];
     const bool skip = run->handoff->params->skip_unsupported;
@@ -74,25 +42,10 @@ static void fail(const struct run *run, uint32_t node, const char *what, const c
         skip ? "left out with all that is in it" : "--skip-unsupported draws the rest");
 }
 
-static bool append(struct csg_bytes *bytes, const void *data, size_t size)
-{
-    if (!csg_array_reserve(bytes, size))
-        return false;
-    if (size > 0)
-        memcpy(bytes->data + bytes->num, data, size);
-    bytes->num += size;
-    return true;
-}
-
-static bool append_text(struct csg_bytes *bytes, const char *text)
-{
-    return append(bytes, text, strlen(text));
-}
-
 /* ---- openscad ----------------------------------------------------------------------------- */
 
 /* A relative path must hold in the scene's directory too. */
-static bool find_program(struct run *run)
+static bool find_program(struct csg_handoff_run *run)
 {
     const char *name = csg_openscad_program(run->handoff->params);
     char here[PATH_MAX] = "";
@@ -101,13 +54,13 @@ static bool find_program(struct run *run)
     const size_t size = strlen(here) + strlen(name) + 2;
     run->program = malloc(size);
     if (!run->program)
-        return no_memory(run);
+        return csg_handoff_no_memory(run);
     snprintf(run->program, size, "%s%s%s", here, here[0] ? "/" : "", name);
     return true;
 }
 
 /* Without openscad everything wanted is empty. */
-static bool fail_all(const struct run *run, int error)
+static bool fail_all(const struct csg_handoff_run *run, int error)
 {
     struct csg_handoff *handoff = run->handoff;
     const struct csg_handoff_result empty = {.seconds = 0};
@@ -123,11 +76,11 @@ static bool fail_all(const struct run *run, int error)
         handoff->nodes.data[i].result = handoff->results.num;
     }
     handoff->num_evaluated = handoff->nodes.num;
-    return csg_array_push(&handoff->results, empty) || no_memory(run);
+    return csg_array_push(&handoff->results, empty) || csg_handoff_no_memory(run);
 }
 
 /* Returns an error number: openscad does not run. */
-static int ask_version(struct run *run)
+static int ask_version(struct csg_handoff_run *run)
 {
     char option[] = "--version";
     char *argv[] = {run->program, option, NULL};
@@ -143,7 +96,7 @@ static int ask_version(struct run *run)
     return error;
 }
 
-static char *file_name(const struct run *run, size_t job, const char *ending)
+static char *file_name(const struct csg_handoff_run *run, size_t job, const char *ending)
 {
     const size_t size = strlen(run->folder) + strlen(ending) + 32;
     char *name = malloc(size);
@@ -162,7 +115,8 @@ static bool write_file(const char *name, const struct csg_bytes *bytes)
 }
 
 /* openscad -o N.stl --export-format=binstl - < N.scad, in the scene's directory. */
-static int start_openscad(struct run *run, struct job *job, char *input, char *output)
+static int start_openscad(struct csg_handoff_run *run, struct csg_handoff_job *job, char *input,
+                          char *output)
 {
     char option_o[] = "-o", option_format[] = "--export-format=binstl", from_input[] = "-";
     char *argv[] = {run->program, option_o, output, option_format, from_input, NULL};
@@ -170,14 +124,13 @@ static int start_openscad(struct run *run, struct job *job, char *input, char *o
     const int error = write_file(input, &run->handoff->results.data[job->result].text)
                           ? csg_process_start(&job->process, argv, input, directory)
                           : errno;
-    job->is_started = true;
     job->begun = csg_clock_ms() / 1000;
     return error;
 }
 
-static bool start(struct run *run, size_t index)
+static bool start(struct csg_handoff_run *run, size_t index)
 {
-    struct job *job = &run->jobs.data[index];
+    struct csg_handoff_job *job = &run->jobs.data[index];
     char *input = file_name(run, index, ".scad"), *output = file_name(run, index, ".stl");
     const bool has_names = input && output;
     const int error = has_names ? start_openscad(run, job, input, output) : 0;
@@ -189,7 +142,7 @@ static bool start(struct run *run, size_t index)
     }
     free(input);
     free(output);
-    return has_names || no_memory(run);
+    return has_names || csg_handoff_no_memory(run);
 }
 
 /* ---- results ------------------------------------------------------------------------------ */
@@ -199,8 +152,10 @@ static bool make_value(const struct csg_bytes *messages, double seconds,
                        const struct csg_bytes *stl, struct csg_bytes *value)
 {
     const uint64_t size = messages->num;
-    return append(value, &size, sizeof size) && append(value, &seconds, sizeof seconds) &&
-           append(value, messages->data, messages->num) && append(value, stl->data, stl->num);
+    return csg_bytes_append(value, &size, sizeof size) &&
+           csg_bytes_append(value, &seconds, sizeof seconds) &&
+           csg_bytes_append(value, messages->data, messages->num) &&
+           csg_bytes_append(value, stl->data, stl->num);
 }
 
 static bool contains(const struct csg_bytes *bytes, const char *text)
@@ -213,7 +168,8 @@ static bool contains(const struct csg_bytes *bytes, const char *text)
 }
 
 /* Says what openscad said, with the place of the subtree. */
-static void pass_on(const struct run *run, uint32_t node, struct csg_bytes *messages, bool failed)
+static void pass_on(const struct csg_handoff_run *run, uint32_t node, struct csg_bytes *messages,
+                    bool failed)
 {
     char prefix[PATH_MAX + 32];
     const struct csg_place place = place_of(run, node);
@@ -223,7 +179,8 @@ static void pass_on(const struct run *run, uint32_t node, struct csg_bytes *mess
 }
 
 /* Takes a value apart; false: out of memory. An empty file is an empty mesh. */
-static bool take_value(struct run *run, const struct job *job, const struct csg_bytes *value)
+static bool take_value(struct csg_handoff_run *run, const struct csg_handoff_job *job,
+                       const struct csg_bytes *value)
 {
     struct csg_handoff_result *result = &run->handoff->results.data[job->result];
     uint64_t size = 0;
@@ -237,21 +194,21 @@ static bool take_value(struct run *run, const struct job *job, const struct csg_
         fail(run, job->node, "the cache holds something else for it", "; clear the cache");
         return true;
     }
-    bool ok = append(&messages, value->data + begin, size);
+    bool ok = csg_bytes_append(&messages, value->data + begin, size);
     if (ok)
         pass_on(run, job->node, &messages, false);
     free(messages.data);
     const struct csg_bytes stl = {.data = value->data + begin + size,
                                   .num = value->num - begin - size};
     if (!ok || stl.num == 0)
-        return ok || no_memory(run);
+        return ok || csg_handoff_no_memory(run);
     const enum csg_stl_result read = csg_stl_read(&stl, &result->mesh);
     if (read == CSG_STL_MALFORMED)
         fail(run, job->node, "its STL file cannot be read", "");
-    return read != CSG_STL_NO_MEMORY || no_memory(run);
+    return read != CSG_STL_NO_MEMORY || csg_handoff_no_memory(run);
 }
 
-static void fail_job(const struct run *run, struct job *job)
+static void fail_job(const struct csg_handoff_run *run, struct csg_handoff_job *job)
 {
     const int status = job->process.status;
     char what[96];
@@ -266,8 +223,8 @@ static void fail_job(const struct run *run, struct job *job)
 
 /* The file that openscad has written; nothing where the subtree is empty, which it takes for an
  * error. false: it is one. */
-static bool read_output(const struct run *run, const struct job *job, const char *name,
-                        struct csg_bytes *stl)
+static bool read_output(const struct csg_handoff_run *run, const struct csg_handoff_job *job,
+                        const char *name, struct csg_bytes *stl)
 {
     const int status = job->process.status;
     *stl = (struct csg_bytes){0};
@@ -278,9 +235,9 @@ static bool read_output(const struct run *run, const struct job *job, const char
     return contains(&job->process.output, "top level object is empty");
 }
 
-static bool finish_job(struct run *run, size_t index)
+static bool finish_job(struct csg_handoff_run *run, size_t index)
 {
-    struct job *job = &run->jobs.data[index];
+    struct csg_handoff_job *job = &run->jobs.data[index];
     struct csg_bytes stl = {0}, value = {0};
     char *name = file_name(run, index, ".stl");
     bool ok = name != NULL;
@@ -290,8 +247,8 @@ static bool finish_job(struct run *run, size_t index)
     } else if (ok) {
         const double seconds = csg_clock_ms() / 1000 - job->begun;
         const struct csg_mesh *mesh = &run->handoff->results.data[job->result].mesh;
-        ok = make_value(&job->process.output, seconds, &stl, &value) &&
-             take_value(run, job, &value);
+        ok =
+            make_value(&job->process.output, seconds, &stl, &value) && take_value(run, job, &value);
         if (ok && (stl.num == 0 || mesh->faces.num > 0))
             csg_cache_put(&run->cache, &job->key, &value);
     }
@@ -299,12 +256,12 @@ static bool finish_job(struct run *run, size_t index)
     free(stl.data);
     free(value.data);
     csg_process_finish(&job->process);
-    return ok || no_memory(run);
+    return ok || csg_handoff_no_memory(run);
 }
 
 /* ---- all of them ---------------------------------------------------------------------------- */
 
-static void tell(struct run *run)
+static void tell(struct csg_handoff_run *run)
 {
     const double now = csg_clock_ms() / 1000;
     if (now - run->told < progress_after)
@@ -328,7 +285,7 @@ struct slots {
     size_t num;
 };
 
-static bool take_ended(struct run *run, struct slots *slots)
+static bool take_ended(struct csg_handoff_run *run, struct slots *slots)
 {
     bool ok = true;
     for (size_t i = 0; i < slots->num;) {
@@ -345,7 +302,7 @@ static bool take_ended(struct run *run, struct slots *slots)
     return ok;
 }
 
-static bool work(struct run *run, struct slots *slots, size_t max)
+static bool work(struct csg_handoff_run *run, struct slots *slots, size_t max)
 {
     bool ok = true;
     for (size_t next = 0; ok && (next < run->jobs.num || slots->num > 0);) {
@@ -364,7 +321,7 @@ static bool work(struct run *run, struct slots *slots, size_t max)
     return ok;
 }
 
-static bool evaluate(struct run *run)
+static bool evaluate(struct csg_handoff_run *run)
 {
     const size_t max = num_cores();
     struct slots slots = {calloc(max, sizeof *slots.processes), calloc(max, sizeof *slots.jobs), 0};
@@ -379,10 +336,10 @@ static bool evaluate(struct run *run)
         csg_process_finish(&slots.processes[i]);
     free(slots.processes);
     free(slots.jobs);
-    return ok || no_memory(run);
+    return ok || csg_handoff_no_memory(run);
 }
 
-static void remove_files(const struct run *run)
+static void remove_files(const struct csg_handoff_run *run)
 {
     static const char *const endings[] = {".scad", ".stl"};
     for (size_t i = 0; run->folder && i < 2 * run->jobs.num; i++) {
@@ -396,115 +353,13 @@ static void remove_files(const struct run *run)
     free(run->folder);
 }
 
-/* ---- what to evaluate --------------------------------------------------------------------- */
-
-static int compare_nodes(const void *left, const void *right)
-{
-    const struct csg_handed_off *a = left, *b = right;
-    return a->node < b->node ? -1 : a->node > b->node;
-}
-
-/* Sorts all nodes; drops what is part of another one or asked for twice. */
-static void settle(struct csg_handoff *handoff)
-{
-    struct csg_handed_off *nodes = handoff->nodes.data;
-    size_t num = 0;
-    qsort(nodes, handoff->nodes.num, sizeof *nodes, compare_nodes);
-    for (size_t i = 0; i < handoff->nodes.num; i++)
-        if (num == 0 || nodes[i].node >= nodes[num - 1].end)
-            nodes[num++] = nodes[i];
-    handoff->nodes.num = num;
-}
-
-/* The content of the files that the subtree reads is part of the key; one that is not there is so
- * as well. */
-static bool add_files(struct csg_bytes *key, const struct csg_handoff *handoff,
-                      const struct csg_bytes *files)
-{
-    const char *directory = handoff->params->directory ? handoff->params->directory : ".";
-    bool ok = true;
-    for (size_t i = 0; i < files->num && ok; i += strlen(files->data + i) + 1) {
-        const char *name = files->data + i;
-        char path[PATH_MAX], line[64];
-        struct csg_bytes bytes = {0};
-        const int length = snprintf(path, sizeof path, "%s%s%s", name[0] == '/' ? "" : directory,
-                                    name[0] == '/' ? "" : "/", name);
-        const bool is_read =
-            length > 0 && length < PATH_MAX && csg_file_read(path, &bytes, &csg_log_silent);
-        snprintf(line, sizeof line, " %d %zu %016llx\n", is_read, bytes.num,
-                 (unsigned long long)csg_hash(CSG_HASH_START, bytes.data, bytes.num));
-        free(bytes.data);
-        ok = append_text(key, name) && append_text(key, line);
-    }
-    return ok;
-}
-
-static bool make_key(const struct run *run, const struct csg_subtree *subtree,
-                     struct csg_bytes *key)
-{
-    return append_text(key, key_version) && append(key, run->version.data, run->version.num) &&
-           append(key, subtree->text.data, subtree->text.num) &&
-           add_files(key, run->handoff, &subtree->files);
-}
-
-/* A drawing is extruded: its floor is the drawing. */
-static bool write_text(const struct csg_handoff *handoff, const struct csg_handed_off *node,
-                       struct csg_subtree *subtree)
-{
-    return (node->dimension == 3 || append_text(&subtree->text, "linear_extrude(height = 1) ")) &&
-           csg_subtree_write(subtree, handoff->document, node->node);
-}
-
-/* The result with that text; the number of results: there is none. */
-static size_t find_text(const struct csg_handoff *handoff, const struct csg_bytes *text)
-{
-    size_t i = 0;
-    while (i < handoff->results.num &&
-           (handoff->results.data[i].text.num != text->num ||
-            memcmp(handoff->results.data[i].text.data, text->data, text->num) != 0))
-        i++;
-    return i;
-}
-
-/* Adds a job, unless the same text has been asked for already. */
-static bool add_job(struct run *run, struct csg_handed_off *node)
-{
-    struct csg_handoff *handoff = run->handoff;
-    struct csg_subtree subtree = {0};
-    struct job job = {.node = node->node, .result = handoff->results.num};
-    bool ok = write_text(handoff, node, &subtree);
-    if (ok)
-        node->result = find_text(handoff, &subtree.text);
-    if (ok && node->result == handoff->results.num) {
-        struct csg_handoff_result result = {.text = subtree.text};
-        ok = make_key(run, &subtree, &job.key) && csg_array_push(&run->jobs, job);
-        if (!ok)
-            free(job.key.data);
-        if (ok && (ok = csg_array_push(&handoff->results, result)))
-            subtree.text = (struct csg_bytes){0};
-    }
-    node->is_evaluated = ok;
-    csg_subtree_finish(&subtree);
-    return ok || no_memory(run);
-}
-
-static bool add_jobs(struct run *run)
-{
-    bool ok = true;
-    for (size_t i = 0; i < run->handoff->nodes.num && ok; i++)
-        if (!run->handoff->nodes.data[i].is_evaluated)
-            ok = add_job(run, &run->handoff->nodes.data[i]);
-    run->handoff->num_evaluated = run->handoff->nodes.num;
-    return ok;
-}
-
 /* Takes the jobs that the cache has done. */
-static bool use_cache(struct run *run)
+static bool use_cache(struct csg_handoff_run *run)
 {
     size_t num = 0;
     bool ok = true;
     for (size_t i = 0; i < run->jobs.num; i++) {
-        struct job *job = &run->jobs.data[i];
+        struct csg_handoff_job *job = &run->jobs.data[i];
         struct csg_bytes value;
         if (ok && csg_cache_get(&run->cache, &job->key, &value)) {
             run->handoff->results.data[job->result].is_cached = true;
@@ -519,7 +374,7 @@ static bool use_cache(struct run *run)
     return ok;
 }
 
-static void finish(struct run *run)
+static void finish(struct csg_handoff_run *run)
 {
     remove_files(run);
     for (size_t i = 0; i < run->jobs.num; i++) {
@@ -534,15 +389,15 @@ static void finish(struct run *run)
 
 bool csg_handoff_run(struct csg_handoff *handoff, struct csg_report *report)
 {
-    struct run run = {.handoff = handoff, .report = report};
+    struct csg_handoff_run run = {.handoff = handoff, .report = report};
     csg_cache_init(&run.cache, handoff->params->cache, handoff->params->cache_size);
-    settle(handoff);
+    csg_handoff_settle(handoff);
     bool ok = find_program(&run);
     const int error = ok ? ask_version(&run) : 0;
     if (ok && error)
         ok = fail_all(&run, error);
     else if (ok)
-        ok = add_jobs(&run) && use_cache(&run) && (run.jobs.num == 0 || evaluate(&run));
+        ok = csg_handoff_add_jobs(&run) && use_cache(&run) && (run.jobs.num == 0 || evaluate(&run));
     finish(&run);
     return ok;
 }

@@ -19,12 +19,7 @@ struct writer {
 
 static void put(struct writer *writer, const char *bytes, size_t size)
 {
-    struct csg_bytes *text = &writer->subtree->text;
-    writer->ok = writer->ok && csg_array_reserve(text, size);
-    if (!writer->ok || size == 0)
-        return;
-    memcpy(text->data + text->num, bytes, size);
-    text->num += size;
+    writer->ok = writer->ok && csg_bytes_append(&writer->subtree->text, bytes, size);
 }
 
 static void put_text(struct writer *writer, const char *text)
