@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The float texture with all parameters and programs of a frame. */
+/* The float texture with all parameters and programs of a frame. It is a buffer's: where a texture may
+ * have levels, llvmpipe asks for the level lane by lane, at two to three times the cost of a fetch. */
 
-uniform sampler2D csg_data;
+uniform samplerBuffer csg_data;
 
 vec4 csg_texel(int i)
 {
-    return texelFetch(csg_data, ivec2(i & CSG_DATA_MASK, i >> CSG_DATA_SHIFT), 0);
+    return texelFetch(csg_data, i);
 }

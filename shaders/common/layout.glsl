@@ -4,11 +4,6 @@
 /* Keys beyond any crossing in view, far inside the range of float. */
 #define CSG_KEY_MAX 1e30f
 
-/* The data texture is this wide; texel i is at (i & mask, i >> shift). */
-#define CSG_DATA_SHIFT 12
-#define CSG_DATA_WIDTH 4096
-#define CSG_DATA_MASK 4095
-
 /*
  * A record of the program in the data texture: one header texel
  *     (entry planes, exit planes, flags, attribute block / 4)

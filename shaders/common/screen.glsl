@@ -1,8 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Depth keys k, as src/pack/screen.h defines them. */
+/* Pixels and depth keys k, as src/pack/screen.h defines them; from common/screen.vert.glsl. */
 
-uniform vec4 csg_screen_depth; /* scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t */
-uniform vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
+flat in vec4 csg_screen_depth; /* scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t */
+flat in vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
+flat in vec3 csg_screen_place; /* the band's first pixel from the reference pixel, bias of depths */
+
+/* The pixel, from the reference pixel: whole numbers and a half, so exact. */
+vec2 csg_pixel()
+{
+    return gl_FragCoord.xy + csg_screen_place.xy;
+}
 
 /* Depth buffer value of a key: 0 near, 1 far. */
 float csg_depth(csg_real k)

@@ -3,10 +3,6 @@
 
 flat in ivec2 csg_object; /* begin, end in the data texture */
 
-uniform vec2 csg_window;      /* of the band that is drawn, in the whole picture */
-uniform vec2 csg_at;          /* the reference pixel */
-uniform float csg_depth_bias; /* overlays win over what they repeat */
-
 layout(location = 0) out uvec2 csg_visible;
 
 void main()
@@ -14,7 +10,7 @@ void main()
     csg_real k;
     ivec2 place;
     bool inside;
-    vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+    vec2 d = csg_pixel();
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
 #ifdef CSG_CAN_GIVE_UP
@@ -37,7 +33,7 @@ void main()
     if ((int(head.z) & CSG_RECORD_SURFACE) != 0)
         normal = place.x + place.y;
 #endif
-    gl_FragDepth = csg_depth(k) - csg_depth_bias;
+    gl_FragDepth = csg_depth(k) - csg_screen_place.z;
 #ifdef CSG_DOUBLE
     if (!plane) /* written from near it, so that float keeps it */
         k -= csg_texel(normal + 1).w + (d.x * double(csg_texel(normal + 2).w) +

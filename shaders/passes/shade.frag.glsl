@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Deferred shading: normal and colour of what csg_visible names. */
 
-uniform usampler2D csg_visible;
-uniform vec4 csg_light; /* direction in world space, ambient part */
-uniform vec2 csg_window;
-uniform vec2 csg_at; /* the reference pixel */
+uniform usampler2DRect csg_visible;
+flat in vec4 csg_lit; /* direction of the light in world space, ambient part */
 
 layout(location = 0) out vec4 csg_color;
 #ifndef CSG_WANT_BYTES
@@ -16,7 +14,7 @@ layout(location = 2) out vec4 csg_leaf;
 
 void main()
 {
-    uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy), 0).xy;
+    uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy)).xy;
     if (visible.y == 0u || visible.y == CSG_UNFINISHED)
         discard; /* cleared to the background, or what an overlay lies on */
     float k = uintBitsToFloat(visible.x);
@@ -24,7 +22,7 @@ void main()
     vec4 face = csg_texel(p);
     vec3 normal = face.xyz;
     if (face.w < 0.0) {
-        vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+        vec2 d = csg_pixel();
 #ifdef CSG_TEXTBOOK
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
         normal += at.x * csg_texel(p + 1).xyz + at.y * csg_texel(p + 2).xyz + at.z * csg_texel(p + 3).xyz;
@@ -38,7 +36,7 @@ void main()
     }
     int attributes = (int(abs(face.w)) - 1) * 4;
     vec4 base = csg_texel(attributes + CSG_ATTRIBUTE_COLOR);
-    float light = csg_light.w + abs(dot(normal, csg_light.xyz));
+    float light = csg_lit.w + abs(dot(normal, csg_lit.xyz));
     csg_color = vec4(min(base.rgb * light, 1.0), base.a);
 #ifdef CSG_WANT_BYTES
     csg_color = floor(csg_color * 255.0 + 0.5) / 255.0; /* as csg_color_bytes rounds */

@@ -4,9 +4,6 @@
 flat in int csg_normals;
 flat in vec4 csg_handed[CSG_NUM_TEXELS]; /* the quadric's, then the planes' */
 
-uniform vec2 csg_window; /* of the band that is drawn, in the whole picture */
-uniform vec2 csg_at;     /* the reference pixel */
-
 layout(location = 0) out uvec2 csg_visible;
 
 #ifdef CSG_IS_BALL
@@ -24,7 +21,7 @@ vec2 csg_ball(vec2 d)
 
 void main()
 {
-    vec2 d = gl_FragCoord.xy + csg_window - csg_at;
+    vec2 d = csg_pixel();
     int normal = csg_normals;
 #ifdef CSG_IS_BALL
     vec2 key = csg_ball(d);

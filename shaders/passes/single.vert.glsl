@@ -10,6 +10,7 @@ flat out vec4 csg_handed[CSG_NUM_TEXELS];
 
 void main()
 {
+    csg_hand_screen();
     csg_normals = csg_first;
     for (int i = 0; i < CSG_NUM_TEXELS; i++)
         csg_handed[i] = csg_texels[i];

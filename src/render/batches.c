@@ -288,12 +288,13 @@ static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GL
     return !shows || *rear;
 }
 
-/* One flat input goes to csg_object; more than 28 cost llvmpipe more than they save. */
+/* Four flat inputs are the object's and the screen's; more than 28 others cost llvmpipe more than they
+ * save. */
 static size_t max_handed(struct csg_gl *gl)
 {
     GLint components = 0;
     gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-    const GLint num = components / 4 - 1;
+    const GLint num = components / 4 - 4;
     return num < 1 ? 1 : num > 28 ? 28 : (size_t)num;
 }
 

@@ -252,7 +252,7 @@ static void draw_shading(const struct csg_picture *picture, const struct round *
     gl->BindVertexArray(picture->renderer->empty_array);
     set_shade_uniforms(picture);
     gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, picture->renderer->targets.visible);
+    gl->BindTexture(GL_TEXTURE_RECTANGLE, picture->renderer->targets.visible);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
     gl->Disable(GL_BLEND);
@@ -349,7 +349,7 @@ static bool draw_bands(struct csg_picture *picture)
     if (!ok)
         csg_log_memory(&picture->renderer->log);
     picture->gl->ActiveTexture(GL_TEXTURE0);
-    picture->gl->BindTexture(GL_TEXTURE_2D, picture->renderer->data_texture);
+    picture->gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->data_texture);
     for (int row = 0; row < request->height && ok; row += rows) {
         picture->first_row = row;
         picture->num_rows = rows < request->height - row ? rows : request->height - row;

@@ -46,6 +46,7 @@ static void finish_gl(struct csgcast_renderer *renderer)
         csg_programs_finish(&renderer->programs);
         csg_targets_finish(&renderer->targets, gl);
         gl->DeleteTextures(1, &renderer->data_texture);
+        gl->DeleteBuffers(1, &renderer->data_buffer);
         gl->DeleteBuffers(1, &renderer->instance_buffer);
         gl->DeleteBuffers(1, &renderer->crowd_buffer);
         gl->DeleteVertexArrays(1, &renderer->crowd_array);

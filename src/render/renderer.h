@@ -11,9 +11,8 @@ struct csgcast_renderer {
     struct csg_gl *gl; /* NULL: the reference ray caster */
     struct csg_programs programs;
     struct csg_targets targets;
-    GLuint data_texture;
+    GLuint data_texture, data_buffer; /* the texture is that of the buffer */
     int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
-    int data_rows; /* allocated */
     GLuint vertex_array, instance_buffer, empty_array;
     GLuint crowd_array, crowd_buffer;
     struct csg_frame frame;

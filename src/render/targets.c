@@ -6,17 +6,17 @@ static GLuint make_texture(struct csg_gl *gl, GLint internal, GLenum format, GLe
 {
     GLuint texture;
     gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, internal, targets->width, targets->height, 0, format, type,
+    gl->BindTexture(GL_TEXTURE_RECTANGLE, texture);
+    gl->TexImage2D(GL_TEXTURE_RECTANGLE, 0, internal, targets->width, targets->height, 0, format, type,
                    NULL);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
 }
 
 static void attach(struct csg_gl *gl, GLenum attachment, GLuint texture)
 {
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture, 0);
 }
 
 /* All passes look at the one depth buffer. */

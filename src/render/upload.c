@@ -15,6 +15,7 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
     if (renderer->data_texture)
         return;
     gl->GenTextures(1, &renderer->data_texture);
+    gl->GenBuffers(1, &renderer->data_buffer);
     gl->GenBuffers(1, &renderer->instance_buffer);
     gl->GenBuffers(1, &renderer->crowd_buffer);
     gl->GenVertexArrays(1, &renderer->vertex_array);
@@ -25,35 +26,23 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
 static bool upload_data(struct csgcast_renderer *renderer)
 {
     struct csg_gl *gl = renderer->gl;
-    struct csg_frame *frame = &renderer->frame;
-    const size_t row = 4 * (size_t)CSG_DATA_WIDTH;
-    const size_t missing = (row - frame->texels.num % row) % row;
-    if (!csg_array_reserve(&frame->texels, missing + row))
-        return csg_log_memory(&renderer->log);
-    memset(frame->texels.data + frame->texels.num, 0, (missing + row) * sizeof(float));
-    const int rows = (int)((frame->texels.num + missing) / row);
-    GLint max_rows = 0;
-    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_rows);
-    if (rows > max_rows) {
+    const struct csg_frame *frame = &renderer->frame;
+    const size_t bytes = frame->texels.num * sizeof(float);
+    GLint max_texels = 0;
+    gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
+    if (frame->texels.num / 4 > (size_t)max_texels) {
         csg_log_error(&renderer->log, CSGCAST_MESSAGE_CONTEXT,
-                      "the scene needs a data texture of %d x %d texels and this driver allows %d "
-                      "rows: use --backend=reference, or split the scene",
-                      CSG_DATA_WIDTH, rows, max_rows);
+                      "the scene needs a texture of %zu texels and this driver allows %d: use "
+                      "--backend=reference, or split the scene",
+                      frame->texels.num / 4, max_texels);
         return false;
     }
+    gl->BindBuffer(GL_TEXTURE_BUFFER, renderer->data_buffer);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, frame->texels.data, GL_STREAM_DRAW);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D, renderer->data_texture);
-    if (rows > renderer->data_rows) {
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, CSG_DATA_WIDTH, rows, 0, GL_RGBA, GL_FLOAT,
-                       frame->texels.data);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        renderer->data_rows = rows;
-    } else if (rows) {
-        gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, CSG_DATA_WIDTH, rows, GL_RGBA, GL_FLOAT,
-                          frame->texels.data);
-    }
-    renderer->stats.texture_bytes = (size_t)rows * row * sizeof(float);
+    gl->BindTexture(GL_TEXTURE_BUFFER, renderer->data_texture);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, renderer->data_buffer);
+    renderer->stats.texture_bytes = bytes;
     return true;
 }
 

@@ -136,6 +136,7 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         csg_text_add(fragment, "#define CSG_TEXTBOOK\n");
     }
     add_file(vertex, "common/data.glsl");
+    add_file(vertex, "common/screen.vert.glsl");
     add_file(vertex, "solids/sense.glsl");
     if (features & CSG_FEATURE_QUADRIC)
         csg_text_add(fragment, "#define CSG_HAS_QUADRIC\n");
@@ -205,6 +206,7 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run)
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
     if (run->ball)
         csg_text_add(&fragment, "#define CSG_IS_BALL\n");
+    add_file(&vertex, "common/screen.vert.glsl");
     add_file(&vertex, "passes/single.vert.glsl");
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/real.glsl");
@@ -221,6 +223,7 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textboo
 {
     struct csg_text vertex = {0}, fragment = {0};
     add_preamble(&vertex, 0);
+    add_file(&vertex, "common/screen.vert.glsl");
     add_file(&vertex, "passes/shade.vert.glsl");
     add_preamble(&fragment, 0);
     if (want_leaf)
