@@ -221,5 +221,5 @@ enum csg_sweep_result csg_twist_fill(struct csg_mesh *mesh, const struct csg_dra
     if (ok && twist->scale[0] > 0 && twist->scale[1] > 0)
         ok = add_cap(mesh, &caps, begin, (uint32_t)num * (end - begin), false);
     free(caps.corners.data);
-    return ok && csg_mesh_clean(mesh) ? CSG_SWEEP_DONE : CSG_SWEEP_NO_MEMORY;
+    return ok && csg_mesh_clean(mesh, NULL) ? CSG_SWEEP_DONE : CSG_SWEEP_NO_MEMORY;
 }

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "polyhedra/cut.h"
+
 /* Points closer than this share of the largest coordinate are one. */
 #define SAME_POINT 1e-12
 
@@ -162,25 +164,32 @@ static bool add_corners(struct csg_mesh *mesh, const uint32_t *corners, uint32_t
     return csg_mesh_close_face(mesh);
 }
 
-/* A four-cornered face along its shorter diagonal, any other as a fan. */
-static bool add_triangles(struct csg_mesh *mesh, const uint32_t *corners, uint32_t num)
+static bool add_triangles(struct csg_mesh *mesh, struct csg_cutter *cutter, const uint32_t *corners,
+                          uint32_t num)
 {
-    const struct csg_vec3 *points = mesh->points.data;
-    const uint32_t first =
-        num == 4 && csg_length(csg_sub(points[corners[3]], points[corners[1]])) <
-                        csg_length(csg_sub(points[corners[2]], points[corners[0]]));
-    for (uint32_t i = 1; i + 1 < num; i++) {
-        const uint32_t triangle[3] = {corners[first], corners[(first + i) % num],
-                                      corners[(first + i + 1) % num]};
-        if (!add_corners(mesh, triangle, 3))
-            return false;
+    bool ok = csg_cutter_cut(cutter, mesh->points.data, corners, num);
+    for (size_t i = 0; i < cutter->num_triangles && ok; i++) {
+        const uint32_t *cut = cutter->triangles[i];
+        const uint32_t triangle[3] = {corners[cut[0]], corners[cut[1]], corners[cut[2]]};
+        ok = add_corners(mesh, triangle, 3);
     }
-    return true;
+    return ok;
 }
 
-bool csg_mesh_clean(struct csg_mesh *mesh)
+bool csg_mesh_is_bent(const struct csg_mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->faces.num; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        if (face->end - face->begin > 3 && !is_plane(mesh, face))
+            return true;
+    }
+    return false;
+}
+
+bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space)
 {
     struct csg_mesh clean = {.size = mesh->size, .rounding = mesh->rounding};
+    struct csg_cutter cutter = {.space = space};
     bool ok = join_points(mesh);
     clean.points.data = mesh->points.data;
     clean.points.num = mesh->points.num;
@@ -190,8 +199,10 @@ bool csg_mesh_clean(struct csg_mesh *mesh)
         const uint32_t *corners = &mesh->corners.data[face->begin];
         const uint32_t num = face->end - face->begin;
         ok = num == 3 || is_plane(mesh, face) ? add_corners(&clean, corners, num)
-                                              : add_triangles(&clean, corners, num);
+                                              : add_triangles(&clean, &cutter, corners, num);
     }
+    clean.num_guessed = cutter.num_guessed;
+    csg_cutter_finish(&cutter);
     free(mesh->corners.data);
     free(mesh->faces.data);
     *mesh = clean;

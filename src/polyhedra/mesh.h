@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "csg/part.h"
+#include "polyhedra/cut.h"
 
 struct csg_mesh_face {
     uint32_t begin, end; /* of its corners in struct csg_mesh */
@@ -19,6 +20,7 @@ struct csg_mesh {
     CSG_ARRAY(struct csg_mesh_face) faces;
     double size;     /* the largest coordinate */
     double rounding; /* see struct csg_shape */
+    size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
 
 void csg_mesh_finish(struct csg_mesh *mesh);
@@ -28,9 +30,12 @@ bool csg_mesh_add_point(struct csg_mesh *mesh, struct csg_vec3 p);
 /* The corners added behind the last face become a face, unless they are fewer than three. */
 bool csg_mesh_close_face(struct csg_mesh *mesh);
 
-/* Joins points at the same place, drops corners that follow each other at one point and splits
- * faces that are not plane. false: out of memory. */
-bool csg_mesh_clean(struct csg_mesh *mesh);
+/* Joins points at the same place, drops corners that follow each other at one point and cuts faces
+ * that are not plane; space: where, NULL as they are. false: out of memory. */
+bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space);
+
+/* Whether a face is not plane. */
+bool csg_mesh_is_bent(const struct csg_mesh *mesh);
 
 /* The face's plane, its normal to the side from which its corners run counter-clockwise. false: the
  * face has no area. */

@@ -78,7 +78,7 @@ enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh 
     if (!isfinite(mesh->size))
         return CSG_STL_MALFORMED;
     mesh->rounding = mesh->size * float_rounding;
-    return ok && csg_mesh_clean(mesh) ? CSG_STL_DONE : CSG_STL_NO_MEMORY;
+    return ok && csg_mesh_clean(mesh, NULL) ? CSG_STL_DONE : CSG_STL_NO_MEMORY;
 }
 
 /* ---- outlines ----------------------------------------------------------------------------- */

@@ -94,19 +94,16 @@ static bool add_file(struct csg_walk *walk, uint32_t node, const char *name,
     const enum csg_mesh_file result = has_ending(name, ".off")
                                           ? csg_off_file_read(bytes, &mesh, &line)
                                           : csg_stl_file_read(bytes, &mesh, &line);
-    bool ok = result != CSG_MESH_FILE_NO_MEMORY;
-    if (result == CSG_MESH_FILE_DONE)
-        ok = csg_mesh_clean(&mesh);
-    else if (result == CSG_MESH_FILE_FOREIGN)
+    bool ok = result != CSG_MESH_FILE_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+    if (result == CSG_MESH_FILE_FOREIGN)
         csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported", name);
     else if (result == CSG_MESH_FILE_MALFORMED && line > 0)
         csg_walk_warning(walk, node, "%.160s:%zu: malformed; nothing is drawn", name, line);
     else if (result == CSG_MESH_FILE_MALFORMED)
         csg_walk_warning(walk, node, "%.160s: malformed; nothing is drawn", name);
-    if (!ok)
-        csg_log_memory(&walk->builder->report->log);
-    else if (result == CSG_MESH_FILE_DONE)
-        ok = csg_polyhedron_add(walk, node, &mesh, part);
+    if (result == CSG_MESH_FILE_DONE)
+        ok = csg_polyhedron_clean(walk, node, false, &mesh) &&
+             csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }

@@ -6,6 +6,7 @@
 
 #include "polyhedra/mesh.h"
 #include "scene/compounds.h"
+#include "scene/cut_space.h"
 
 /* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and
  * from so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are
@@ -52,7 +53,7 @@ static bool read_face(const struct csg_args *args, const struct csg_value *face,
     return ok && csg_mesh_close_face(mesh);
 }
 
-bool csg_polyhedron_read(const struct csg_args *args, struct csg_mesh *mesh)
+static bool read_mesh(const struct csg_args *args, struct csg_mesh *mesh)
 {
     const struct csg_value *faces = csg_args_find(args, "faces");
     bool ok = read_points(args, mesh);
@@ -60,7 +61,16 @@ bool csg_polyhedron_read(const struct csg_args *args, struct csg_mesh *mesh)
         faces = csg_args_find(args, "triangles");
     for (size_t i = 0; faces && faces->type == CSG_VALUE_VECTOR && i < faces->num && ok; i++)
         ok = mesh->points.num == 0 || read_face(args, &faces->items[i], mesh);
-    return (ok && csg_mesh_clean(mesh)) || csg_log_memory(args->log);
+    return ok || csg_log_memory(args->log);
+}
+
+bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
+                          struct csg_mesh *mesh)
+{
+    struct csg_cut_space space = {csg_map_identity, reversed};
+    if (csg_mesh_is_bent(mesh) && !csg_cut_space_find(walk, node, &space))
+        return false;
+    return csg_mesh_clean(mesh, &space) || csg_log_memory(&walk->builder->report->log);
 }
 
 static void warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
@@ -74,6 +84,15 @@ static void warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_
         "belong to two faces in opposite directions; the picture may be wrong",
         gaps->num, gaps->num == 1 ? "" : "s", a.x, a.y, a.z, b.x, b.y, b.z,
         gaps->num == 1 ? "does" : "do");
+}
+
+static void warn_of_guesses(struct csg_walk *walk, uint32_t node, size_t num)
+{
+    csg_walk_warning(walk, node,
+                     "%zu face%s not plane, and cut otherwise than in OpenSCAD, because %s or "
+                     "csgcast-tess.so is missing, or lacks its library (Debian: libglu1-mesa)",
+                     num, num == 1 ? " is" : "s are",
+                     num == 1 ? "it crosses itself" : "they cross themselves");
 }
 
 static bool add_surface(const struct csg_mesh *mesh, bool open, struct csg_part *part)
@@ -93,6 +112,8 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
         return csg_log_memory(&walk->builder->report->log);
     if (gaps.num)
         warn_of_gaps(walk, node, mesh, &gaps);
+    if (mesh->num_guessed)
+        warn_of_guesses(walk, node, mesh->num_guessed);
     const bool is_inner = walk->depth > 0;
     result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
                                 is_inner ? SIZE_MAX : max_planes, part);
@@ -106,7 +127,8 @@ bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct 
 {
     struct csg_mesh mesh = {0};
     (void)in_boolean;
-    const bool ok = csg_polyhedron_read(args, &mesh) && csg_polyhedron_add(walk, node, &mesh, part);
+    const bool ok = read_mesh(args, &mesh) && csg_polyhedron_clean(walk, node, true, &mesh) &&
+                    csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }

@@ -6,8 +6,10 @@
 #include "scene/walk.h"
 #include "solids/value.h"
 
-/* The clean mesh of a polyhedron(points, faces). false, with a message, when memory is out. */
-bool csg_polyhedron_read(const struct csg_args *args, struct csg_mesh *mesh);
+/* Cleans the node's mesh, whose faces OpenSCAD has in that order or reversed. false, with a message,
+ * when memory is out. */
+bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
+                          struct csg_mesh *mesh);
 
 /* Adds the solid of a clean mesh, the node's, to part: the one way from faces to leaves. What is
  * wrong with the mesh is reported. false, with a message, when memory is out. */

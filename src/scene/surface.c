@@ -162,7 +162,7 @@ static bool add_relief(const struct relief *relief)
         ok = add_walls(relief, border, (uint32_t)num);
     }
     free(border);
-    return ok && csg_mesh_clean(relief->mesh);
+    return ok && csg_mesh_clean(relief->mesh, NULL);
 }
 
 static bool add_heights(struct csg_walk *walk, uint32_t node, const struct heights *heights,

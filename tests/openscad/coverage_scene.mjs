@@ -71,9 +71,11 @@ function judgeMesh(result, stl) {
         return "timeout";
     if (/not a 3D object/.test(result.err))
         return "2d";
+    if (/^ERROR:|CGAL error/m.test(result.err))
+        return "error";
     if (/top level object is empty/i.test(result.err))
         return "empty";
-    if (result.status !== 0 || !existsSync(stl) || /^ERROR:|CGAL error/m.test(result.err))
+    if (result.status !== 0 || !existsSync(stl))
         return "error";
     return "ok";
 }
@@ -102,6 +104,8 @@ async function makeMesh(scene, stem, options) {
     } else if (mesh.result === "ok") {
         writeFileSync(`${stem}.stl`, asciiFromBinary(readFileSync(stl)));
         rmSync(stl);
+    } else if (mesh.result === "empty") {
+        writeFileSync(`${stem}.stl`, "solid empty\nendsolid empty\n");
     } else if (mesh.result === "error") {
         mesh.reason = result.err.split("\n").find((line) => /ERROR|CGAL|rror/.test(line)) ?? "";
     }
@@ -209,7 +213,8 @@ function save(path, result) {
     renameSync(`${path}.unfinished`, path);
 }
 
-// display: of the X server for the step "time".
+// display: of the X server for the step "time". options.empty: also draw what has no mesh because it
+// is empty.
 export async function measure(scene, options, display) {
     const stem = join(options.out, "scenes", digest(scene.file));
     const content = digest(readFileSync(scene.file));
@@ -222,7 +227,7 @@ export async function measure(scene, options, display) {
         save(`${stem}.json`, result);
     };
     await step("mesh", content, () => makeMesh(scene, stem, options));
-    if (result.mesh?.result !== "ok")
+    if (result.mesh?.result !== "ok" && !(options.empty && result.mesh?.result === "empty"))
         return result;
     await step("draw", content + programs, () => draw(scene, stem, options));
     if (result.draw?.result !== "ok")

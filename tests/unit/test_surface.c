@@ -70,7 +70,7 @@ static void turn_some(struct csg_mesh *mesh, double share)
 static struct csg_surface *build(struct csg_mesh *mesh, struct csg_shape *shape, size_t num_gaps)
 {
     struct csg_mesh_gaps gaps;
-    CHECK(csg_mesh_clean(mesh) && csg_mesh_orient(mesh, &gaps), "memory");
+    CHECK(csg_mesh_clean(mesh, NULL) && csg_mesh_orient(mesh, &gaps), "memory");
     CHECK(gaps.num == num_gaps, "%zu gaps, not %zu", gaps.num, num_gaps);
     CHECK(csg_mesh_to_shape(mesh, gaps.num > 0, shape), "memory");
     CHECK(csg_surface_build(shape->surface), "memory");
@@ -201,7 +201,7 @@ static void check_degenerate(void)
         for (size_t j = 0; j < mesh.points.num; j++)
             mesh.points.data[j] = csg_scale(sizes[i], mesh.points.data[j]);
         mesh.size = 3 * sizes[i];
-        CHECK(csg_mesh_clean(&mesh) && csg_mesh_orient(&mesh, &gaps), "memory");
+        CHECK(csg_mesh_clean(&mesh, NULL) && csg_mesh_orient(&mesh, &gaps), "memory");
         if (mesh.faces.num > 0) {
             CHECK(csg_mesh_to_shape(&mesh, false, &shape), "memory");
             CHECK(csg_surface_build(shape.surface), "memory");
