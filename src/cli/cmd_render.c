@@ -120,35 +120,38 @@ static bool write_image(const char *path, const struct csg_cli_options *options,
 
 /* ---- the command ---------------------------------------------------------------------------- */
 
-static bool render_image(const struct csg_cli_options *options, const struct csgcast_scene *scene,
-                         const struct csgcast_view *view, const struct csgcast_image *image)
+/* A scene that is loaded, and the renderer that has been starting meanwhile. */
+struct drawing {
+    const struct csg_cli_options *options;
+    const struct csgcast_scene *scene;
+    struct csgcast_renderer *renderer;
+};
+
+static bool render_image(const struct drawing *drawing, const struct csgcast_view *view,
+                         const struct csgcast_image *image)
 {
-    struct csgcast_renderer *renderer = csgcast_renderer_create(&options->renderer);
-    if (!renderer)
-        return false;
-    const bool good = csgcast_render(renderer, scene, view, image);
-    if (good && options->stats) {
+    const bool good = csgcast_render(drawing->renderer, drawing->scene, view, image);
+    if (good && drawing->options->stats) {
         struct csgcast_stats stats;
-        csgcast_renderer_get_stats(renderer, &stats);
-        csg_cli_print_stats(stderr, csgcast_renderer_name(renderer), &stats);
+        csgcast_renderer_get_stats(drawing->renderer, &stats);
+        csg_cli_print_stats(stderr, csgcast_renderer_name(drawing->renderer), &stats);
     }
-    csgcast_renderer_destroy(renderer);
     return good;
 }
 
-static enum csg_cli_exit render_scene(const struct csg_cli_options *options,
-                                      const struct csgcast_scene *scene, const char *output)
+static enum csg_cli_exit render_scene(const struct drawing *drawing, const char *output)
 {
+    const struct csg_cli_options *options = drawing->options;
     struct csgcast_view view = options->view;
     struct csgcast_image image;
     struct csgcast_frustum frustum;
     enum csg_cli_exit result = CSG_EXIT_FAILED;
     view.width = view.width ? view.width : DEFAULT_SIZE;
     view.height = view.height ? view.height : DEFAULT_SIZE;
-    if (!csgcast_view_resolve(scene, &view, &frustum) ||
+    if (!csgcast_view_resolve(drawing->scene, &view, &frustum) ||
         !allocate_image(&image, &view, &options->write, holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
-    if (render_image(options, scene, &view, &image))
+    if (render_image(drawing, &view, &image))
         result =
             write_image(output, options, &view, &image, &frustum) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
     free_image(&image);
@@ -173,9 +176,15 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
     warn_defines(options);
     if (!is_png(output, options->write.format)) /* libpng is there */
         csgcast_image_preload();
-    struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
-    const enum csg_cli_exit result = scene ? render_scene(options, scene, output) : CSG_EXIT_FAILED;
+    struct csgcast_renderer_params params = options->renderer;
+    params.background = true;
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    struct csgcast_scene *scene =
+        renderer ? csgcast_scene_load(options->input, &options->scene) : NULL;
+    const struct drawing drawing = {options, scene, renderer};
+    const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
     csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
     return result;
 }
 

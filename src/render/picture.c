@@ -436,3 +436,22 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     free(picture.batches.data);
     return ok;
 }
+
+void csg_picture_warm_up(struct csgcast_renderer *renderer)
+{
+    const struct csg_request request = {
+        .scheme = csg_colorscheme_find(NULL), .width = 1, .height = 1, .resolver = -1};
+    const struct round round = {.geometry = true};
+    struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = &request,
+                                  .num_rows = 1, .bytes = true, .rect = {-1, -1, 1, 1}};
+    if (!csg_gl_enter(renderer->gl))
+        return;
+    picture.shade =
+        csg_programs_get(&renderer->programs, csg_source_shade(false, true, false));
+    if (picture.shade && csg_upload_frame(renderer) &&
+        csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, true)) {
+        draw_round(&picture, &round);
+        renderer->gl->Finish();
+    }
+    csg_gl_leave(renderer->gl);
+}

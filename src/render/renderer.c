@@ -6,10 +6,26 @@
 
 #include "common/clock.h"
 #include "reference/reference.h"
+#include "render/start.h"
 
 const char *csgcast_version(void)
 {
     return CSGCAST_VERSION_STRING;
+}
+
+/* In the background where that is asked for. false, with a message, where there is none. */
+static bool make_context(struct csgcast_renderer *renderer,
+                         const struct csgcast_renderer_params *params)
+{
+    if (params->backend == CSGCAST_BACKEND_REFERENCE)
+        return true;
+    if (params->background)
+        renderer->start = csg_start_begin(renderer, params->backend);
+    if (renderer->start)
+        return true;
+    renderer->gl = csg_gl_create(params->backend, &renderer->log);
+    renderer->programs.gl = renderer->gl;
+    return renderer->gl != NULL;
 }
 
 struct csgcast_renderer *csgcast_renderer_create(const struct csgcast_renderer_params *params)
@@ -28,15 +44,10 @@ struct csgcast_renderer *csgcast_renderer_create(const struct csgcast_renderer_p
     renderer->tile_size = tile_size ? (int)strtol(tile_size, NULL, 10) : 0;
     if (renderer->tile_size < 0)
         renderer->tile_size = 0;
-    if (params->backend != CSGCAST_BACKEND_REFERENCE) {
-        renderer->gl = csg_gl_create(params->backend, &log);
-        renderer->programs.gl = renderer->gl;
-        if (!renderer->gl) {
-            free(renderer);
-            return NULL;
-        }
-    }
-    return renderer;
+    if (make_context(renderer, params))
+        return renderer;
+    free(renderer);
+    return NULL;
 }
 
 static void finish_gl(struct csgcast_renderer *renderer)
@@ -61,6 +72,10 @@ void csgcast_renderer_destroy(struct csgcast_renderer *renderer)
 {
     if (!renderer)
         return;
+    if (renderer->start) {
+        renderer->log = csg_log_silent; /* nobody has asked for a picture */
+        csg_start_join(renderer);
+    }
     if (renderer->gl)
         finish_gl(renderer);
     csg_frame_finish(&renderer->frame);
@@ -69,6 +84,8 @@ void csgcast_renderer_destroy(struct csgcast_renderer *renderer)
 
 const char *csgcast_renderer_name(const struct csgcast_renderer *renderer)
 {
+    if (renderer->start)
+        return "not ready yet";
     return renderer->gl ? renderer->gl->name : "reference: double precision, no OpenGL";
 }
 
@@ -148,10 +165,20 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
     return csg_gl_leave(renderer->gl) && drawn;
 }
 
+/* A context that could not be made says so once; every picture fails. */
+static bool is_ready(struct csgcast_renderer *renderer)
+{
+    if (renderer->start)
+        renderer->lost = !csg_start_join(renderer);
+    return !renderer->lost;
+}
+
 bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                     const struct csgcast_view *view, const struct csgcast_image *image)
 {
     static const struct csgcast_view default_view;
+    if (!is_ready(renderer))
+        return false;
     const double start = csg_clock_ms();
     struct csg_request request = {.scene = scene, .view = view ? view : &default_view,
                                   .tile_size = renderer->tile_size, .image = image};

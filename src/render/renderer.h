@@ -6,9 +6,13 @@
 #include "render/programs.h"
 #include "render/targets.h"
 
+struct csg_start;
+
 struct csgcast_renderer {
     struct csg_log log;
-    struct csg_gl *gl; /* NULL: the reference ray caster */
+    struct csg_start *start; /* what makes gl meanwhile; NULL: it is there */
+    struct csg_gl *gl;       /* NULL: the reference ray caster, */
+    bool lost;               /* ... or this: it could not be made */
     struct csg_programs programs;
     struct csg_targets targets;
     GLuint data_texture, data_buffer; /* the texture is that of the buffer */
@@ -34,6 +38,9 @@ struct csg_request {
 
 /* Draws with OpenGL; the renderer's context is current. false, with a message, on failure. */
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request);
+
+/* Draws one pixel of nothing, so that the driver has made what every picture needs. */
+void csg_picture_warm_up(struct csgcast_renderer *renderer);
 
 /* Whether an object is drawn in one piece; user is the struct csg_request. */
 bool csg_draws_whole(size_t object, const void *user);

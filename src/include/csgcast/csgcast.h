@@ -334,16 +334,21 @@ struct csgcast_renderer_params {
     enum csgcast_backend backend;
     csgcast_log_fn *log; /* NULL: standard error */
     void *log_user;
+    /* Create returns at once, and a thread loads the driver and makes the context meanwhile: for
+     * who has a scene to load (some 60 ms on llvmpipe). The first csgcast_render waits for it, and
+     * fails where the backend is not available; messages come from its thread. */
+    bool background;
 };
 
 struct csgcast_renderer;
 
-/* NULL, with a message, where the backend is not available. */
+/* NULL, with a message, where the backend is not available; see background. */
 CSGCAST_API struct csgcast_renderer *
 csgcast_renderer_create(const struct csgcast_renderer_params *params);
 CSGCAST_API void csgcast_renderer_destroy(struct csgcast_renderer *renderer);
 
-/* "egl: llvmpipe (LLVM 15, 256 bits), 4.5 core": for people. Lives as long as the renderer. */
+/* "egl: llvmpipe (LLVM 15, 256 bits), 4.5 core": for people. Lives as long as the renderer. With
+ * background known after the first picture. */
 CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *renderer);
 
 /*
