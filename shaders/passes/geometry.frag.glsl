@@ -3,8 +3,6 @@
 
 flat in ivec2 csg_object; /* begin, end in the data texture */
 
-layout(location = 0) out uvec2 csg_visible;
-
 void main()
 {
     csg_real k;
@@ -13,7 +11,7 @@ void main()
     vec2 d = csg_pixel();
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
-#ifdef CSG_CAN_GIVE_UP
+#if defined(CSG_CAN_GIVE_UP) && !defined(CSG_DIRECT)
     if (csg_turns >= CSG_MAX_TURNS) {
         csg_visible = uvec2(0u, CSG_UNFINISHED);
         gl_FragDepth = 0.0;
@@ -39,5 +37,5 @@ void main()
         k -= csg_texel(normal + 1).w + (d.x * double(csg_texel(normal + 2).w) +
                                         d.y * double(csg_texel(normal + 3).w));
 #endif
-    csg_visible = uvec2(floatBitsToUint(float(k)), uint(normal + 1));
+    csg_show(d, float(k), normal);
 }

@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* A triangle that covers the picture, at the far end: what is nearer there has been drawn. */
 
-uniform vec4 csg_light;
-
-flat out vec4 csg_lit;
-
 void main()
 {
     csg_hand_screen();
-    csg_lit = csg_light;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     gl_Position = vec4(4.0 * corner - 1.0, 1.0, 1.0);
 }

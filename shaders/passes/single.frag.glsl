@@ -4,8 +4,6 @@
 flat in int csg_normals;
 flat in vec4 csg_handed[CSG_NUM_TEXELS]; /* the quadric's, then the planes' */
 
-layout(location = 0) out uvec2 csg_visible;
-
 #ifdef CSG_IS_BALL
 /* The crossings of a ball, by those operations of csg_quadric that are not idle for it. */
 vec2 csg_ball(vec2 d)
@@ -39,6 +37,6 @@ void main()
 #endif
     if (!(key.x < key.y) || key.x >= csg_screen_key.z)
         discard;
-    csg_visible = uvec2(floatBitsToUint(key.x), uint(normal + 1));
+    csg_show(d, key.x, normal);
     gl_FragDepth = csg_depth(key.x);
 }

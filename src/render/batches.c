@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "render/renderer.h"
+#include "render/direct.h"
 #include "crowd/crowd.h"
 
 #include <stdlib.h>
@@ -26,7 +26,7 @@ struct chooser {
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
     GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
-    bool tiles_prepared;
+    bool tiles_prepared, direct;
     size_t max_handed; /* flat inputs that the driver allows */
 };
 
@@ -88,6 +88,7 @@ static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
     features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
+    features |= chooser->direct ? CSG_FEATURE_DIRECT : 0;
     return csg_programs_get(
         &chooser->renderer->programs,
         csg_source_geometry(resolver, features, structure, chooser->max_handed));
@@ -193,8 +194,9 @@ static int find_chain(const struct chooser *chooser, const struct csg_draw *draw
 static GLuint choose_chain(struct chooser *chooser, int chain)
 {
     if (!chooser->chains[chain])
-        chooser->chains[chain] = csg_programs_get(&chooser->renderer->programs,
-                                                  csg_source_geometry_chain(&csg_chains[chain]));
+        chooser->chains[chain] =
+            csg_programs_get(&chooser->renderer->programs,
+                             csg_source_geometry_chain(&csg_chains[chain], chooser->direct));
     return chooser->chains[chain];
 }
 
@@ -237,24 +239,6 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
     return choose_shared(chooser, *resolver, features, resolver);
 }
 
-/* An upper bound of the turns of a loop program over the draw's records: every pass looks at all of
- * them, and a ray cannot stop more often than it has crossings. */
-static bool may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
-{
-    double turns = 0, leaves = 0;
-    for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
-        const float *head = frame->texels.data + 4 * (size_t)p;
-        const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-        const bool surface = flags & CSG_RECORD_SURFACE;
-        const double longest = surface ? (double)head[4 * 2 + 1] : 0;
-        turns += surface ? 5 + longest : 4 + (entries + 1) / 2 + (exits + 1) / 2;
-        leaves += surface ? 1 + longest / 4 : 1;
-        const int terms = entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
-        p += 1 + (draw->precise && !surface ? 2 : 1) * terms;
-    }
-    return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
-}
-
 static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,
                      GLuint rear, enum csg_resolver resolver, uint32_t instance)
 {
@@ -288,14 +272,14 @@ static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GL
     return !shows || *rear;
 }
 
-/* Four flat inputs are the object's and the screen's; more than 28 others cost llvmpipe more than they
- * save. */
+/* Five flat inputs are the object's, the screen's and the light; more than 27 others cost llvmpipe more
+ * than they save. */
 static size_t max_handed(struct csg_gl *gl)
 {
     GLint components = 0;
     gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-    const GLint num = components / 4 - 4;
-    return num < 1 ? 1 : num > 28 ? 28 : (size_t)num;
+    const GLint num = components / 4 - 5;
+    return num < 1 ? 1 : num > 27 ? 27 : (size_t)num;
 }
 
 /* Crowds share no carriers with other objects, so file order does not matter between them. */
@@ -306,7 +290,8 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
         const struct csg_crowd_run *run = &crowd->runs.data[i];
         if (run->num == 0)
             continue;
-        const GLuint program = csg_programs_get(&renderer->programs, csg_source_single(run));
+        const GLuint program = 
+            csg_programs_get(&renderer->programs, csg_source_single(run, batches->direct));
         const struct csg_batch batch = {.program = program,
                                         .layer = CSG_LAYER_MODEL,
                                         .paint = CSG_LAYER_MODEL,
@@ -385,7 +370,7 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
         choice->resolver != CSG_RESOLVER_STRAIGHT && choice->resolver != CSG_RESOLVER_CHAIN;
     renderer->stats.overflowed_objects += overflowed && is_first;
     batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU ||
-                            (may_loop && may_give_up(&renderer->frame, &choice->draw));
+                            (may_loop && csg_may_give_up(&renderer->frame, &choice->draw));
 }
 
 /* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
@@ -404,8 +389,8 @@ static bool prepare_single(struct chooser *chooser, uint32_t object,
                                       .num_planes = (uint32_t)shape->num_planes};
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
     ball.ball = run.has_quadric && run.num_planes == 0;
-    return csg_programs_get(&chooser->renderer->programs, csg_source_single(&run)) &&
-           csg_programs_get(&chooser->renderer->programs, csg_source_single(&ball)) &&
+    return csg_programs_get(&chooser->renderer->programs, csg_source_single(&run, chooser->direct)) &&
+           csg_programs_get(&chooser->renderer->programs, csg_source_single(&ball, chooser->direct)) &&
            (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
             choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
 }
@@ -448,7 +433,10 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
         csg_log_memory(&renderer->log);
     } else {
         *chooser = (struct chooser){
-            .renderer = renderer, .request = request, .max_handed = max_handed(renderer->gl)};
+            .renderer = renderer,
+            .request = request,
+            .direct = batches->direct,
+            .max_handed = max_handed(renderer->gl)};
         ok = fill(batches, chooser, choices);
     }
     free(choices);

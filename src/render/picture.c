@@ -6,6 +6,7 @@
  * buffer, blended. Large pictures are drawn in bands.
  */
 
+#include "render/direct.h"
 #include "render/picture.h"
 
 #include <stddef.h>
@@ -46,6 +47,16 @@ static void set_textbook_rays(const struct csg_picture *picture, GLuint program)
     gl->Uniform1f(gl->GetUniformLocation(program, "csg_ray_start"), rays.start);
 }
 
+static void set_light(const struct csg_picture *picture, const struct csg_uniforms *at)
+{
+    const struct csgcast_frustum *frustum = &picture->request->frustum;
+    float light[3];
+    for (int i = 0; i < 3; i++)
+        light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
+                           CSG_LIGHT_Z * frustum->forward[i]);
+    picture->gl->Uniform4f(at->light, light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
+}
+
 static void set_screen(const struct csg_picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
@@ -54,6 +65,7 @@ static void set_screen(const struct csg_picture *picture, GLuint program)
         &csg_programs_find(&picture->renderer->programs, program)->uniforms;
     gl->UseProgram(program);
     gl->Uniform1i(at->data, 0);
+    gl->Uniform1i(at->visible, 1);
     gl->Uniform2f(at->window, 0, (float)picture->first_row);
     gl->Uniform2f(at->at, (float)picture->renderer->frame.at.x,
                   (float)picture->renderer->frame.at.y);
@@ -61,6 +73,7 @@ static void set_screen(const struct csg_picture *picture, GLuint program)
                   screen->depth[3]);
     gl->Uniform4f(at->screen_key, (float)screen->a, (float)screen->b, (float)screen->k_far,
                   screen->orthographic || screen->textbook);
+    set_light(picture, at);
     if (screen->textbook)
         set_textbook_rays(picture, program);
 }
@@ -133,6 +146,21 @@ static bool is_in_round(const struct csg_batch *batch, const struct round *round
            (round->object == ALL_OBJECTS || batch->object == round->object);
 }
 
+static void draw_batches(const struct csg_picture *picture, const struct round *round)
+{
+    struct csg_gl *gl = picture->gl;
+    picture->renderer->programs.round++;
+    for (size_t i = 0; i < picture->batches.num; i++) {
+        const struct csg_batch *batch = &picture->batches.data[i];
+        if (!is_in_round(batch, round))
+            continue;
+        const GLuint program = round->rear ? batch->rear : batch->program;
+        use_program(picture, round, program);
+        bind_instances(picture, batch);
+        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
+    }
+}
+
 static void draw_geometry(const struct csg_picture *picture, const struct round *round)
 {
     struct csg_gl *gl = picture->gl;
@@ -148,16 +176,7 @@ static void draw_geometry(const struct csg_picture *picture, const struct round 
         gl->ClearBufferfv(GL_DEPTH, 0, &far);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_LESS);
-    picture->renderer->programs.round++;
-    for (size_t i = 0; i < picture->batches.num; i++) {
-        const struct csg_batch *batch = &picture->batches.data[i];
-        if (!is_in_round(batch, round))
-            continue;
-        const GLuint program = round->rear ? batch->rear : batch->program;
-        use_program(picture, round, program);
-        bind_instances(picture, batch);
-        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
-    }
+    draw_batches(picture, round);
 }
 
 static void set_outputs(const struct csg_picture *picture, const struct round *round)
@@ -167,21 +186,6 @@ static void set_outputs(const struct csg_picture *picture, const struct round *r
         round->geometry && picture->want_geometry ? GL_COLOR_ATTACHMENT1 : GL_NONE,
         round->geometry && picture->want_leaf ? GL_COLOR_ATTACHMENT2 : GL_NONE};
     picture->gl->DrawBuffers(3, buffers);
-}
-
-static void set_shade_uniforms(const struct csg_picture *picture)
-{
-    struct csg_gl *gl = picture->gl;
-    const struct csgcast_frustum *frustum = &picture->request->frustum;
-    const struct csg_uniforms *at =
-        &csg_programs_find(&picture->renderer->programs, picture->shade)->uniforms;
-    float light[3];
-    for (int i = 0; i < 3; i++)
-        light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
-                           CSG_LIGHT_Z * frustum->forward[i]);
-    set_screen(picture, picture->shade);
-    gl->Uniform1i(at->visible, 1);
-    gl->Uniform4f(at->light, light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
 }
 
 /* To what a byte holds. */
@@ -250,7 +254,7 @@ static void draw_shading(const struct csg_picture *picture, const struct round *
         gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
     gl->BindVertexArray(picture->renderer->empty_array);
-    set_shade_uniforms(picture);
+    set_screen(picture, picture->shade);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_RECTANGLE, picture->renderer->targets.visible);
     gl->ActiveTexture(GL_TEXTURE0);
@@ -314,6 +318,26 @@ static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
     }
 }
 
+/* The frame without a shading pass. */
+static void draw_directly(const struct csg_picture *picture)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct round all = {.geometry = true};
+    const GLfloat far = 1;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.bytes_fbo);
+    gl->Viewport(0, -picture->first_row, picture->request->width, picture->request->height);
+    clear_outputs(picture, &all);
+    if (csg_is_disjoint(&picture->renderer->frame)) {
+        gl->Disable(GL_DEPTH_TEST);
+    } else {
+        gl->DepthMask(GL_TRUE);
+        gl->ClearBufferfv(GL_DEPTH, 0, &far);
+        gl->Enable(GL_DEPTH_TEST);
+        gl->DepthFunc(GL_LESS);
+    }
+    draw_batches(picture, &all);
+}
+
 /* Distances and leaves are those of all solids. Where some of them are translucent, colours start
  * anew with the opaque ones; the others come over them. */
 static void draw_band(const struct csg_picture *picture)
@@ -321,6 +345,10 @@ static void draw_band(const struct csg_picture *picture)
     const struct round all = {.geometry = true};
     const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = ALL_OBJECTS};
     bool mixed = false;
+    if (picture->batches.direct) {
+        draw_directly(picture);
+        return;
+    }
     for (size_t i = 0; i < picture->batches.num; i++)
         mixed |= picture->batches.data[i].layer == CSG_LAYER_MODEL &&
                  !is_opaque(&picture->batches.data[i]);
@@ -370,29 +398,6 @@ static bool draw_bands(struct csg_picture *picture)
     return ok;
 }
 
-static void add_rect(float rect[4], const float *other)
-{
-    for (int i = 0; i < 2; i++) {
-        rect[i] = fminf(rect[i], other[i]);
-        rect[2 + i] = fmaxf(rect[2 + i], other[2 + i]);
-    }
-}
-
-static void bound_draws(struct csg_picture *picture)
-{
-    const struct csg_frame *frame = &picture->renderer->frame;
-    const struct csg_frame_crowd *crowd = &frame->crowd;
-    float rect[4] = {1, 1, -1, -1};
-    for (size_t i = 0; i < frame->draws.num; i++)
-        add_rect(rect, frame->draws.data[i].instance.rect);
-    for (size_t i = 0; i < crowd->runs.num; i++) {
-        const struct csg_crowd_run *run = &crowd->runs.data[i];
-        for (size_t j = 0; j < run->num; j++)
-            add_rect(rect, crowd->instances.data + run->first + j * run->stride);
-    }
-    memcpy(picture->rect, rect, sizeof rect);
-}
-
 /* Blending needs floats. */
 static bool prepare_shading(struct csg_picture *picture)
 {
@@ -400,7 +405,9 @@ static bool prepare_shading(struct csg_picture *picture)
     picture->bytes = image->rgba8 && !image->rgba && !picture->want_geometry && !picture->want_leaf;
     for (size_t i = 0; i < picture->batches.num; i++)
         picture->bytes &= is_opaque(&picture->batches.data[i]);
-    bound_draws(picture);
+    csg_bound_draws(&picture->renderer->frame, picture->rect);
+    if (picture->batches.direct)
+        return true;
     picture->shade = csg_programs_get(
         &picture->renderer->programs,
         csg_source_shade(picture->want_leaf, picture->bytes, picture->request->textbook));
@@ -430,6 +437,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
+    picture.batches.direct = csg_draws_directly(renderer, request);
     const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
                     prepare_shading(&picture) && csg_upload_frame(renderer) && draw_bands(&picture);
     csg_picture_count(&picture);

@@ -63,6 +63,7 @@ struct csg_batches {
     size_t on_cpu;    /* objects in double without a driver that has it */
     size_t drawn_single;
     bool may_give_up; /* some program may run out of turns, see CSG_MAX_TURNS */
+    bool direct;      /* set before: programs write colours, see render/direct.h */
 };
 
 /* Fills precise_objects and numerics of stats from the renderer's frame. */

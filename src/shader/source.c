@@ -165,8 +165,20 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
     add_file(fragment, "csg/change.glsl");
 }
 
-static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment)
+/* What becomes of a visible face. */
+static void add_visible(struct csg_text *fragment, bool direct)
 {
+    if (direct) {
+        csg_text_add(fragment, "#define CSG_DIRECT\n");
+        add_file(fragment, "common/light.glsl");
+    }
+    add_file(fragment, "passes/visible.glsl");
+}
+
+static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment,
+                                         bool direct)
+{
+    add_visible(fragment, direct);
     add_file(vertex, "passes/geometry.vert.glsl");
     add_file(fragment, "passes/geometry.frag.glsl");
     return finish_stages(vertex, fragment);
@@ -180,10 +192,10 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     add_resolver(&fragment, resolver);
     if (resolver == CSG_RESOLVER_STRAIGHT)
         csg_source_straight(&vertex, &fragment, structure, max_handed);
-    return finish_geometry(&vertex, &fragment);
+    return finish_geometry(&vertex, &fragment, features & CSG_FEATURE_DIRECT);
 }
 
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain)
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool direct)
 {
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN,
@@ -191,10 +203,10 @@ struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain)
     add_file(&vertex, "csg/chain.vert.glsl");
     add_file(&fragment, "csg/chain.glsl");
     csg_source_chain(&vertex, &fragment, chain);
-    return finish_geometry(&vertex, &fragment);
+    return finish_geometry(&vertex, &fragment, direct);
 }
 
-struct csg_stages csg_source_single(const struct csg_crowd_run *run)
+struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct)
 {
     struct csg_text vertex = {0}, fragment = {0}, *texts[2] = {&vertex, &fragment};
     for (int i = 0; i < 2; i++) {
@@ -215,6 +227,7 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run)
     add_file(&fragment, "solids/planes.glsl");
     if (run->has_quadric)
         add_file(&fragment, "solids/quadric.glsl");
+    add_visible(&fragment, direct);
     add_file(&fragment, "passes/single.frag.glsl");
     return finish_stages(&vertex, &fragment);
 }
@@ -239,6 +252,7 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textboo
         add_file(&fragment, "solids/span.glsl");
         add_file(&fragment, "solids/textbook.glsl");
     }
+    add_file(&fragment, "common/light.glsl");
     add_file(&fragment, "passes/shade.frag.glsl");
     return finish_stages(&vertex, &fragment);
 }

@@ -33,7 +33,9 @@ enum csg_feature {
     CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
     CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
     CSG_NUM_FEATURE_SETS = 32,
-    CSG_FEATURE_TEXTBOOK = 32 /* all of a frame's programs or none: crossings of textbooks */
+    /* All of a frame's programs or none: */
+    CSG_FEATURE_TEXTBOOK = 32, /* crossings of textbooks */
+    CSG_FEATURE_DIRECT = 64    /* colours, instead of what the shading pass reads */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */
@@ -90,11 +92,11 @@ struct csg_stages {
 struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
                                       const struct csg_structure *structure, size_t max_handed);
 
-/* One-solid programs for crowds, see crowd/run.h. */
-struct csg_stages csg_source_single(const struct csg_crowd_run *run);
+/* One-solid programs for crowds, see crowd/run.h; direct: as CSG_FEATURE_DIRECT. */
+struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct);
 
 /* The same for a chain. */
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain);
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool direct);
 
 /* The shading pass. */
 struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textbook);

@@ -2,7 +2,8 @@
 
 /*
  * Shader against reference, ray by ray: leaf, depth and normal of scenes given as files, or of
- * seeded random trees, for every variant and backend.
+ * seeded random trees, for every variant and backend. Colours alone, which may be drawn without a
+ * shading pass, must be those beside the depths to the last bit.
  *
  *     twin [--random=N] [--seed=S] [--size=PIXELS] [--backend=egl|osmesa] [FILE...]
  */
@@ -34,6 +35,7 @@ struct options {
 
 struct picture {
     float *z, *normal, *id;
+    uint8_t *colors; /* rgba */
 };
 
 struct result {
@@ -44,8 +46,8 @@ struct result {
 static struct picture make_picture(size_t pixels)
 {
     struct picture picture = {malloc(pixels * sizeof(float)), malloc(3 * pixels * sizeof(float)),
-                              malloc(pixels * sizeof(float))};
-    if (!picture.z || !picture.normal || !picture.id)
+                              malloc(pixels * sizeof(float)), malloc(4 * pixels)};
+    if (!picture.z || !picture.normal || !picture.id || !picture.colors)
         abort();
     return picture;
 }
@@ -55,6 +57,7 @@ static void free_picture(struct picture *picture)
     free(picture->z);
     free(picture->normal);
     free(picture->id);
+    free(picture->colors);
 }
 
 static double angle_between(const float *a, const float *b)
@@ -121,8 +124,21 @@ static bool render(struct csgcast_renderer *renderer, const struct csgcast_scene
                    const struct csgcast_view *view, const struct picture *picture)
 {
     const struct csgcast_image image = {
-        .z = picture->z, .normal = picture->normal, .id = picture->id};
+        .z = picture->z, .normal = picture->normal, .id = picture->id, .rgba8 = picture->colors};
     return csgcast_render(renderer, scene, view, &image);
+}
+
+/* Whether colours alone are those of a picture with depths. */
+static bool has_same_colors(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                            const struct csgcast_view *view, const struct picture *picture)
+{
+    const size_t size = 4 * (size_t)view->width * (size_t)view->height;
+    uint8_t *colors = malloc(size);
+    const struct csgcast_image image = {.rgba8 = colors};
+    const bool same = colors && csgcast_render(renderer, scene, view, &image) &&
+                      memcmp(colors, picture->colors, size) == 0;
+    free(colors);
+    return same;
 }
 
 static bool check_view(struct csgcast_renderer *reference, struct csgcast_renderer *renderer,
@@ -142,6 +158,10 @@ static bool check_view(struct csgcast_renderer *reference, struct csgcast_render
         if (!render(renderer, scene, view, &got)) {
             ok = false;
             break;
+        }
+        if (!has_same_colors(renderer, scene, view, &got)) {
+            printf("FAIL %s %s: colours alone differ\n", name, variant);
+            ok = false;
         }
         const struct result r = compare(&expected, &got, view->width,
                                         textbook ? MAX_TEXTBOOK_DEPTH : MAX_DEPTH_ERROR);

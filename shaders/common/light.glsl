@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* Normal, colour and light of what is visible. */
+
+flat in vec4 csg_lit; /* direction of the light in world space, ambient part */
+
+/* What is visible at pixel d, key k: place is that of its face's normal in the data texture. */
+struct csg_face {
+    vec3 normal;
+    float key;      /* of an object in double: put right */
+    int attributes; /* place of its block */
+};
+
+csg_face csg_face_of(int place, vec2 d, float k)
+{
+    vec4 face = csg_texel(place);
+    vec3 normal = face.xyz;
+    if (face.w < 0.0) {
+#ifdef CSG_TEXTBOOK
+        vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
+        normal += at.x * csg_texel(place + 1).xyz + at.y * csg_texel(place + 2).xyz +
+                  at.z * csg_texel(place + 3).xyz;
+#else
+        vec4 u = csg_texel(place + 1), v = csg_texel(place + 2), w = csg_texel(place + 3);
+        normal += d.x * u.xyz + d.y * v.xyz + k * w.xyz;
+        k += u.w + (d.x * v.w + d.y * w.w);
+#endif
+        float size = length(normal);
+        normal = size > 0.0 ? normal / size : vec3(0.0, 0.0, 1.0);
+    }
+    return csg_face(normal, k, (int(abs(face.w)) - 1) * 4);
+}
+
+vec4 csg_color_of(csg_face face)
+{
+    vec4 base = csg_texel(face.attributes + CSG_ATTRIBUTE_COLOR);
+    float light = csg_lit.w + abs(dot(face.normal, csg_lit.xyz));
+    return vec4(min(base.rgb * light, 1.0), base.a);
+}
+
+/* To what a byte holds, as csg_color_bytes rounds. */
+vec4 csg_rounded(vec4 color)
+{
+    return floor(color * 255.0 + 0.5) / 255.0;
+}

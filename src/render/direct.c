@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/direct.h"
+
+#include <math.h>
+
+/* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
+#define MAX_LIT 1.5
+
+bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
+{
+    double turns = 0, leaves = 0;
+    for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
+        const float *head = frame->texels.data + 4 * (size_t)p;
+        const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
+        const bool surface = flags & CSG_RECORD_SURFACE;
+        const double longest = surface ? (double)head[4 * 2 + 1] : 0;
+        turns += surface ? 5 + longest : 4 + (entries + 1) / 2 + (exits + 1) / 2;
+        leaves += surface ? 1 + longest / 4 : 1;
+        const int terms = entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
+        p += 1 + (draw->precise && !surface ? 2 : 1) * terms;
+    }
+    return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
+}
+
+static void add_rect(float rect[4], const float *other)
+{
+    for (int i = 0; i < 2; i++) {
+        rect[i] = fminf(rect[i], other[i]);
+        rect[2 + i] = fmaxf(rect[2 + i], other[2 + i]);
+    }
+}
+
+void csg_bound_draws(const struct csg_frame *frame, float rect[4])
+{
+    const struct csg_frame_crowd *crowd = &frame->crowd;
+    rect[0] = rect[1] = 1;
+    rect[2] = rect[3] = -1;
+    for (size_t i = 0; i < frame->draws.num; i++)
+        add_rect(rect, frame->draws.data[i].instance.rect);
+    for (size_t i = 0; i < crowd->runs.num; i++) {
+        const struct csg_crowd_run *run = &crowd->runs.data[i];
+        for (size_t j = 0; j < run->num; j++)
+            add_rect(rect, crowd->instances.data + run->first + j * run->stride);
+    }
+}
+
+bool csg_is_disjoint(const struct csg_frame *frame)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < frame->crowd.runs.num; i++)
+        num += frame->crowd.runs.data[i].num;
+    for (size_t i = 0; i < frame->draws.num; i++)
+        num += i == 0 || frame->draws.data[i].object != frame->draws.data[i - 1].object;
+    return num <= 1;
+}
+
+static bool is_simple(const struct csgcast_renderer *renderer, const struct csg_draw *draw)
+{
+    return !draw->translucent && draw->layer == CSG_LAYER_MODEL && draw->paint == CSG_LAYER_MODEL &&
+           (!draw->precise || renderer->gl->has_double) &&
+           !csg_may_give_up(&renderer->frame, draw);
+}
+
+/* Few fragments a pixel. A scene that is edited keeps to one way, so that nothing is compiled. */
+static bool is_thin(const struct csg_frame *frame, const struct csg_request *request)
+{
+    float rect[4];
+    csg_bound_draws(frame, rect);
+    const double width = 0.5 * ((double)rect[2] - (double)rect[0]) * request->width;
+    const double height = 0.5 * ((double)rect[3] - (double)rect[1]) * request->height;
+    return !request->scene->keeps_structure && (double)frame->proxy_pixels <= MAX_LIT * width * height;
+}
+
+bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    const struct csgcast_image *image = request->image;
+    const struct csg_frame *frame = &renderer->frame;
+    if (!image->rgba8 || image->rgba || image->z || image->normal || image->id ||
+        request->textbook)
+        return false;
+    for (size_t i = 0; i < frame->draws.num; i++)
+        if (!is_simple(renderer, &frame->draws.data[i]))
+            return false;
+    return csg_is_disjoint(frame) || is_thin(frame, request);
+}

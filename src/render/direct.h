@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_DIRECT_H
+#define CSG_RENDER_DIRECT_H
+
+/*
+ * Whether a frame can do without the shading pass: its geometry programs then write colours. That
+ * takes bytes, nothing that is blended, and about one fragment a pixel.
+ */
+
+#include "render/renderer.h"
+
+bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct csg_request *request);
+
+/* Whether no two draws can cover the same pixel: tiles of one object, or a single draw. */
+bool csg_is_disjoint(const struct csg_frame *frame);
+
+/* Whether a loop program over the draw's records may run out of turns, see CSG_MAX_TURNS. */
+bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw);
+
+/* The rectangle around all draws: lo x, lo y, hi x, hi y in clip space; empty without any. */
+void csg_bound_draws(const struct csg_frame *frame, float rect[4]);
+
+#endif
