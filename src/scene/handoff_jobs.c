@@ -7,9 +7,10 @@
 #include <string.h>
 
 #include "scene/subtree.h"
+#include "scene/text.h"
 
 /* Another number where keys or values mean something else than before. */
-static const char key_version[] = "csgcast handoff 1\n";
+static const char key_version[] = "csgcast handoff 2\n";
 
 bool csg_handoff_no_memory(const struct csg_handoff_run *run)
 {
@@ -56,13 +57,25 @@ static bool add_files(struct csg_bytes *key, const struct csg_handoff *handoff,
     return ok;
 }
 
-static bool make_key(const struct csg_handoff_run *run, const struct csg_subtree *subtree,
+/* The fonts of this machine are part of the key of what has text in it. */
+static bool add_fonts(struct csg_handoff_run *run, struct csg_bytes *key)
+{
+    char line[32];
+    if (!run->fonts_known)
+        run->fonts = csg_text_fonts();
+    run->fonts_known = true;
+    snprintf(line, sizeof line, "fonts %016llx\n", (unsigned long long)run->fonts);
+    return csg_bytes_append_text(key, line);
+}
+
+static bool make_key(struct csg_handoff_run *run, const struct csg_subtree *subtree,
                      struct csg_bytes *key)
 {
     return csg_bytes_append_text(key, key_version) &&
            csg_bytes_append(key, run->version.data, run->version.num) &&
            csg_bytes_append(key, subtree->text.data, subtree->text.num) &&
-           add_files(key, run->handoff, &subtree->files);
+           add_files(key, run->handoff, &subtree->files) &&
+           (!subtree->has_text || add_fonts(run, key));
 }
 
 /* A drawing is extruded: its floor is the drawing. */

@@ -24,6 +24,8 @@ struct csg_handoff_run {
     struct csg_report *report;
     struct csg_cache cache;
     struct csg_bytes version; /* what openscad says about itself */
+    uint64_t fonts; /* as csg_text_fonts, once it is asked for */
+    bool fonts_known;
     char *program;
     char *folder; /* for files in between */
     CSG_ARRAY(struct csg_handoff_job) jobs;

@@ -126,6 +126,7 @@ static void follow(struct writer *writer)
                         : csg_token_is_name(token, "import") || csg_token_is_name(token, "surface");
         if (!is_argument)
             writer->is_text_node = csg_token_is_name(token, "text");
+        writer->subtree->has_text |= writer->is_text_node;
     } else if (token->type != CSG_TOKEN_MARK || (token->mark != '=' && token->mark != '(')) {
         writer->is_text = writer->is_file = false;
     }

@@ -11,6 +11,7 @@ struct csg_subtree {
     /* The files that nodes in it read, one zero-terminated name behind the other as OpenSCAD is to
      * read them: relative to the document's directory. */
     struct csg_bytes files;
+    bool has_text; /* some text() is in it, which depends on fonts */
 };
 
 /*

@@ -4,8 +4,10 @@
 #include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "common/module.h"
+#include "scene/cache.h"
 #include "scene/figures.h"
 #include "scene/transforms.h"
 #include "solids/facets.h"
@@ -34,6 +36,27 @@ void csg_text_finish(struct csg_text_state *state)
         return;
     state->module->destroy(state->fonts);
     dlclose(state->handle);
+}
+
+/* Adds up, as fontconfig lists fonts in the order of a folder's entries. */
+static void add_file(void *user, const char *path)
+{
+    uint64_t *sum = user;
+    struct stat info;
+    if (stat(path, &info) != 0)
+        return;
+    const int64_t facts[] = {info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
+    *sum += csg_hash(csg_hash(CSG_HASH_START, path, strlen(path)), facts, sizeof facts);
+}
+
+uint64_t csg_text_fonts(void)
+{
+    struct csg_text_state state = {0};
+    uint64_t sum = 0;
+    if (open_module(&state))
+        state.module->list(state.fonts, &sum, add_file);
+    csg_text_finish(&state);
+    return sum;
 }
 
 /* ---- glyphs ------------------------------------------------------------------------------- */

@@ -33,6 +33,8 @@ enum csg_text_result {
     CSG_TEXT_ENDED,   /* by the sink */
 };
 
+typedef void csg_font_file_fn(void *user, const char *path);
+
 /* The fonts of this machine; belongs to one thread at a time. */
 struct csg_fonts;
 
@@ -41,11 +43,13 @@ struct csg_text_module {
     void (*destroy)(struct csg_fonts *fonts);
     enum csg_text_result (*outline)(struct csg_fonts *fonts, const struct csg_text *text,
                                     const struct csg_text_sink *sink);
+    /* Names each file that outlines may depend on: all fonts, and what fontconfig has read. */
+    void (*list)(const struct csg_fonts *fonts, void *user, csg_font_file_fn *file);
 };
 
 /* The module's one symbol, a const struct csg_text_module, named with the version of this border.
  */
-#define CSG_TEXT_MODULE csg_text_module_1
-#define CSG_TEXT_MODULE_NAME "csg_text_module_1"
+#define CSG_TEXT_MODULE csg_text_module_2
+#define CSG_TEXT_MODULE_NAME "csg_text_module_2"
 
 #endif

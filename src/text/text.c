@@ -81,6 +81,29 @@ static struct csg_fonts *create(void)
     return NULL;
 }
 
+static void list_configuration(FcConfig *config, void *user, csg_font_file_fn *file)
+{
+    FcStrList *names = FcConfigGetConfigFiles(config);
+    const FcChar8 *name;
+    while (names && (name = FcStrListNext(names)))
+        file(user, (const char *)name);
+    if (names)
+        FcStrListDone(names);
+}
+
+static void list(const struct csg_fonts *fonts, void *user, csg_font_file_fn *file)
+{
+    static const FcSetName sets[] = {FcSetSystem, FcSetApplication};
+    list_configuration(fonts->config, user, file);
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
+        const FcFontSet *set = FcConfigGetFonts(fonts->config, sets[i]);
+        FcChar8 *name;
+        for (int j = 0; set && j < set->nfont; j++)
+            if (FcPatternGetString(set->fonts[j], FC_FILE, 0, &name) == FcResultMatch)
+                file(user, (const char *)name);
+    }
+}
+
 static bool try_charmap(FT_Face face, int platform, int encoding)
 {
     for (int i = 0; i < face->num_charmaps; i++) {
@@ -427,4 +450,4 @@ static enum csg_text_result outline(struct csg_fonts *fonts, const struct csg_te
 
 extern const struct csg_text_module CSG_TEXT_MODULE;
 __attribute__((visibility("default"))) const struct csg_text_module CSG_TEXT_MODULE = {
-    .create = create, .destroy = destroy, .outline = outline};
+    .create = create, .destroy = destroy, .outline = outline, .list = list};

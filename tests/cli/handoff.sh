@@ -155,6 +155,28 @@ check "the XDG folder" test "$(entries xdg/csgcast)" = 1
 (unset CSGCAST_CACHE && HOME=$work/home "$csgcast" info a.csg --no-gl >out 2>err)
 check "the home folder" test "$(entries home/.cache/csgcast)" = 1
 
+# Another font may be another outline; of what has no text it is not.
+printf 'dxf_linear_extrude(file = "shape4.dxf", height = 2) { text(text = "A"); }\n' >text.csg
+mkdir -p fonts
+font=$(find /usr/share/fonts -name LiberationSans-Regular.ttf -print -quit)
+expect 0 "no text" info a.csg --no-gl
+expect 0 "a text" info text.csg --no-gl
+expect 0 "the same text" info text.csg --no-gl
+prints_way "from the cache"
+cp "$font" fonts/mine.ttf
+export OPENSCAD_FONT_PATH=$work/fonts
+expect 0 "a text with another font about" info text.csg --no-gl
+check "is not taken from the cache" test "$(grep -c 'from the cache' out)" = 0
+expect 0 "the same text once more" info text.csg --no-gl
+prints_way "from the cache"
+touch -d '1 hour ago' fonts/mine.ttf
+expect 0 "a text, the font another one" info text.csg --no-gl
+check "is not taken from the cache either" test "$(grep -c 'from the cache' out)" = 0
+expect 0 "no text, with these fonts" info a.csg --no-gl
+prints_way "from the cache"
+unset OPENSCAD_FONT_PATH
+rm -rf cache
+
 # csgcast cache
 expect 0 "info fills it" info a.csg --no-gl
 echo mine >cache/notes.txt

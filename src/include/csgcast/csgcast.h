@@ -247,9 +247,9 @@ CSGCAST_API bool csgcast_scene_set_color(struct csgcast_scene *scene, size_t lea
 
 /*
  * The cache on disk keeps what openscad made of subtrees that only it can evaluate, by content: the
- * text of the subtree, the files that it reads, openscad's version. What was not used for the
- * longest time is removed when it becomes larger than its bound. It may be cleared or deleted at
- * any time, and several processes may use it at once.
+ * text of the subtree, the files that it reads, openscad's version, the fonts where it has text.
+ * What was not used for the longest time is removed when it becomes larger than its bound. It may
+ * be cleared or deleted at any time, and several processes may use it at once.
  */
 struct csgcast_cache_info {
     char path[4096];    /* the directory; empty: there is none, as no home directory is known */
