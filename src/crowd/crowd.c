@@ -8,7 +8,13 @@
 #include "csg/object.h"
 #include "pack/precision.h"
 
-enum { NO_CLASS = 0xff, NUM_KEYS = 2 * (CSG_CROWD_MAX_PLANES + 1) + 1, BALL_KEY = NUM_KEYS - 1 };
+enum {
+    NO_CLASS = 0xff,
+    NUM_KEYS = CSG_CROWD_MAX_CLASSES,
+    DISCS_KEY = NUM_KEYS - 3,
+    ELLIPSOID_KEY,
+    BALL_KEY
+};
 
 struct builder {
     const struct csgcast_scene *scene;
@@ -22,6 +28,15 @@ static const struct csg_node *single_node(const struct csgcast_scene *scene,
     const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
     const bool single = object->end == object->begin + 1 && node->op == CSG_LEAF;
     return single && !node->negated && !node->spare ? node : NULL;
+}
+
+static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf,
+                                struct csg_ball *ball, double numbers[CSG_OUTLINE_MAX])
+{
+    const struct csg_face face = scene->carriers->quadric_faces[leaf];
+    const struct csg_quadric *quadric =
+        face.carrier == CSG_NO_CARRIER ? NULL : &scene->carriers->quadrics[face.carrier];
+    return csg_outline_of(&scene->leaves[leaf].shape, quadric, ball, numbers);
 }
 
 static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object *object)
@@ -38,12 +53,18 @@ static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object
     const size_t index = (size_t)(object - scene->objects->data);
     if (scene->sharpness[index].least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
         return NO_CLASS;
-    struct csg_vec3 center;
-    double radius;
-    if (shape->has_quadric && !shape->num_planes &&
-        csg_quadric_ball(&scene->carriers->quadrics[face.carrier], &center, &radius))
+    struct csg_ball ball;
+    double numbers[CSG_OUTLINE_MAX];
+    switch (measure(scene, node->leaf, &ball, numbers)) {
+    case CSG_OUTLINE_BALL:
         return BALL_KEY;
-    return (uint8_t)(2 * shape->num_planes + shape->has_quadric);
+    case CSG_OUTLINE_ELLIPSOID:
+        return ELLIPSOID_KEY;
+    case CSG_OUTLINE_DISCS:
+        return DISCS_KEY;
+    default:
+        return (uint8_t)(2 * shape->num_planes + shape->has_quadric);
+    }
 }
 
 static uint32_t root_of(uint32_t *parents, uint32_t object)
@@ -139,12 +160,26 @@ static bool classify(struct builder *builder)
     return true;
 }
 
+static struct csg_crowd_class class_of(uint32_t key)
+{
+    if (key == BALL_KEY)
+        return (struct csg_crowd_class){.outline = CSG_OUTLINE_BALL, .has_quadric = true};
+    if (key == ELLIPSOID_KEY)
+        return (struct csg_crowd_class){.outline = CSG_OUTLINE_ELLIPSOID, .has_quadric = true};
+    if (key == DISCS_KEY)
+        return (struct csg_crowd_class){
+            .outline = CSG_OUTLINE_DISCS, .has_quadric = true, .num_planes = 2};
+    return (struct csg_crowd_class){
+        .outline = CSG_OUTLINE_BOX, .has_quadric = key % 2 == 1, .num_planes = key / 2};
+}
+
 /* Counts members; a class's members are contiguous. */
 static void plan_classes(struct csg_crowd *crowd, const struct builder *builder,
-                         size_t next[NUM_KEYS])
+                         size_t next[NUM_KEYS], size_t *num_numbers)
 {
     size_t counts[NUM_KEYS] = {0};
     const size_t num = builder->scene->objects->num;
+    *num_numbers = 0;
     for (size_t i = 0; i < num; i++)
         if (builder->keys[i] != NO_CLASS)
             counts[builder->keys[i]]++;
@@ -152,20 +187,20 @@ static void plan_classes(struct csg_crowd *crowd, const struct builder *builder,
         next[key] = crowd->num;
         if (!counts[key])
             continue;
-        crowd->classes[crowd->num_classes++] =
-            (struct csg_crowd_class){.ball = key == BALL_KEY,
-                                     .has_quadric = key == BALL_KEY || key % 2 == 1,
-                                     .num_planes = key == BALL_KEY ? 0 : key / 2,
-                                     .begin = crowd->num,
-                                     .end = crowd->num + counts[key]};
+        struct csg_crowd_class *class = &crowd->classes[crowd->num_classes++];
+        *class = class_of(key);
+        class->begin = crowd->num;
+        class->end = crowd->num + counts[key];
+        class->numbers = *num_numbers;
         crowd->num += counts[key];
+        *num_numbers += counts[key] * csg_outline_size(class->outline);
     }
     crowd->num_others = num - crowd->num;
 }
 
-static bool allocate(struct csg_crowd *crowd)
+static bool allocate(struct csg_crowd *crowd, size_t num_numbers)
 {
-    double *lengths = malloc((4 * crowd->num + 1) * sizeof *lengths);
+    double *lengths = malloc((4 * crowd->num + num_numbers + 1) * sizeof *lengths);
     uint32_t *numbers = malloc((3 * crowd->num + crowd->num_others + 1) * sizeof *numbers);
     crowd->opaque = malloc(crowd->num + 1);
     crowd->need = malloc((crowd->num + 1) * sizeof *crowd->need);
@@ -176,31 +211,34 @@ static bool allocate(struct csg_crowd *crowd)
     crowd->y = crowd->x + crowd->num;
     crowd->z = crowd->y + crowd->num;
     crowd->radius = crowd->z + crowd->num;
+    crowd->numbers = crowd->radius + crowd->num;
     crowd->leaf = crowd->object + crowd->num;
     crowd->kin = crowd->leaf + crowd->num;
     crowd->others = crowd->kin + crowd->num;
     return true;
 }
 
-static void put_ball(struct csg_crowd *crowd, size_t at, const struct csgcast_scene *scene,
-                     bool ball)
+static const struct csg_crowd_class *class_at(const struct csg_crowd *crowd, size_t member)
 {
-    const uint32_t leaf = crowd->leaf[at];
-    const struct csg_shape *shape = &scene->leaves[leaf].shape;
-    struct csg_vec3 center =
-        csg_map_point(&shape->frame, csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi)));
-    double radius = 0;
-    for (int i = 0; i < 8 && !ball; i++)
-        radius = fmax(
-            radius, csg_length(csg_sub(
-                        csg_map_point(&shape->frame, csg_box_corner(&shape->bounds, i)), center)));
-    if (ball)
-        csg_quadric_ball(&scene->carriers->quadrics[scene->carriers->quadric_faces[leaf].carrier],
-                         &center, &radius);
-    crowd->x[at] = center.x;
-    crowd->y[at] = center.y;
-    crowd->z[at] = center.z;
-    crowd->radius[at] = radius;
+    const struct csg_crowd_class *class = crowd->classes;
+    while (member >= class->end)
+        class++;
+    return class;
+}
+
+static void put_outline(struct csg_crowd *crowd, size_t at, const struct csgcast_scene *scene)
+{
+    const struct csg_crowd_class *class = class_at(crowd, at);
+    const size_t size = csg_outline_size(class->outline);
+    struct csg_ball ball;
+    double numbers[CSG_OUTLINE_MAX];
+    measure(scene, crowd->leaf[at], &ball, numbers);
+    crowd->x[at] = ball.center.x;
+    crowd->y[at] = ball.center.y;
+    crowd->z[at] = ball.center.z;
+    crowd->radius[at] = ball.radius;
+    memcpy(crowd->numbers + class->numbers + size * (at - class->begin), numbers,
+           size * sizeof *numbers);
 }
 
 static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[NUM_KEYS])
@@ -221,7 +259,7 @@ static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[N
         crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
         crowd->need[at] = (float)csg_precision_need(&scene->sharpness[i]);
         crowd->least_need = fminf(crowd->least_need, crowd->need[at]);
-        put_ball(crowd, at, scene, key == BALL_KEY);
+        put_outline(crowd, at, scene);
     }
 }
 
@@ -256,8 +294,9 @@ struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
     bool ok = crowd && classify(&builder);
     if (ok) {
         crowd->least_need = INFINITY;
-        plan_classes(crowd, &builder, next);
-        ok = allocate(crowd);
+        size_t num_numbers;
+        plan_classes(crowd, &builder, next, &num_numbers);
+        ok = allocate(crowd, num_numbers);
     }
     if (ok) {
         fill(crowd, &builder, next);

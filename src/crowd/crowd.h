@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "crowd/outline.h"
 #include "csg/scene.h"
 
 /* More planes make an object no member. */
@@ -17,11 +18,15 @@
 
 /* Members whose terms are found alike; one run of the arrays. */
 struct csg_crowd_class {
-    bool ball; /* a sphere to the noise of double arithmetic: its ball is itself */
+    enum csg_outline outline; /* BALL: a sphere to the noise of double arithmetic */
     bool has_quadric;
     uint32_t num_planes;
     size_t begin, end; /* members, in the order of their objects */
+    size_t numbers;    /* of the first member's outline in csg_crowd.numbers */
 };
+
+/* By planes and quadric, and those that an outline says all about. */
+#define CSG_CROWD_MAX_CLASSES (2 * (CSG_CROWD_MAX_PLANES + 1) + 3)
 
 #define CSG_CROWD_NO_KIN UINT32_MAX
 
@@ -29,12 +34,13 @@ struct csg_crowd_class {
 struct csg_crowd {
     size_t num;
     double *x, *y, *z, *radius; /* a ball around the solid */
+    double *numbers;            /* the classes' outlines, csg_outline_size each */
     uint32_t *object, *leaf;
     uint32_t *kin; /* a number that members joined by shared carriers have in common; or NO_KIN */
     float *need;   /* see csg_precision_need */
     float least_need; /* of all */
     uint8_t *opaque;
-    struct csg_crowd_class classes[2 * (CSG_CROWD_MAX_PLANES + 1) + 1];
+    struct csg_crowd_class classes[CSG_CROWD_MAX_CLASSES];
     size_t num_classes;
     uint32_t *others; /* the objects that are no members */
     size_t num_others;

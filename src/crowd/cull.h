@@ -4,12 +4,12 @@
 
 /*
  * Which members of a crowd can show in this view. Left out, exactly: what is outside of it, what
- * covers no pixel's centre, and what is hidden at each of them by nearer members.
+ * covers no pixel's centre, and what is hidden at each of them by nearer members. Of the others the
+ * pixels are known at which they may show.
  */
 
 #include "common/array.h"
-#include "crowd/crowd.h"
-#include "pack/screen.h"
+#include "crowd/member.h"
 
 /* Tasks of the parallel passes take as many members. */
 #define CSG_CROWD_BLOCK 2048
@@ -17,8 +17,9 @@
 /* A member that may show. */
 struct csg_candidate {
     uint32_t member;
-    int16_t lo[2], hi[2]; /* the pixels that it can cover, both ends included; y upwards */
+    int16_t lo[2], hi[2]; /* the pixels where it may show, both ends included; y upwards */
     float key;            /* nothing of it is nearer */
+    uint32_t class;
 };
 
 /* A run of members of one class, and what is left of it. */
@@ -28,11 +29,11 @@ struct csg_crowd_block {
     uint32_t num;        /* candidates */
 };
 
+/* Whether the terms of a member are in csg_cull.terms. */
+enum csg_terms_state { CSG_TERMS_UNKNOWN, CSG_TERMS_KNOWN, CSG_TERMS_STIFF };
+
 struct csg_cull {
-    const struct csgcast_scene *scene;
-    const struct csg_crowd *crowd;
-    const struct csg_screen *screen;
-    struct csg_pixel at;
+    struct csg_crowd_view view;
     bool all_in_float;                /* no member needs better keys in this view */
     CSG_ARRAY(struct csg_crowd_block) blocks;
     struct csg_candidate *candidates; /* one a member */
@@ -40,7 +41,14 @@ struct csg_cull {
     float *keys;                      /* per pixel: what is farther is hidden */
     struct csg_candidate *occluders;  /* those that hide others, roughly the nearest first */
     size_t num_occluders;
+    float *terms;   /* of csg_member_terms, of the members that had to be cast */
+    uint8_t *state; /* per member: enum csg_terms_state */
+    size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* of a class's first member */
 };
+
+/* A member's terms, found if they are not known yet: only one thread may ask for a member at a
+ * time. NULL: stiff. */
+const float *csg_cull_terms(struct csg_cull *cull, uint32_t class, uint32_t member);
 
 /* false: out of memory. */
 bool csg_cull_run(struct csg_cull *cull);

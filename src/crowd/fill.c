@@ -19,12 +19,11 @@ struct filler {
     size_t *instances; /* per block: where its first instance goes, in floats */
     size_t *texels;    /* ... and its first attribute block */
     size_t *pixels;    /* covered by the block's rectangles */
-    bool square;
 };
 
 static size_t stride_of(const struct csg_crowd_class *class)
 {
-    return 4 + (class->has_quadric ? 12u : 0u) + 4 * (size_t)class->num_planes + 1;
+    return 4 + csg_member_num_terms(class) + 1;
 }
 
 /* Attribute blocks begin at multiples of four texels. */
@@ -45,82 +44,25 @@ static void put_rect(const struct filler *filler, const struct csg_candidate *ca
     }
 }
 
-static void put_normal(float *texel, const float normal[3], double sign, float mark)
-{
-    for (int i = 0; i < 3; i++)
-        texel[i] = (float)(sign * (double)normal[i]);
-    texel[3] = mark;
-}
-
-/* false: the quadric is stiff in this view. */
-static bool put_quadric(const struct filler *filler, const struct csg_crowd_class *class,
-                        uint32_t member, float *out, float (*normals)[4], float mark)
-{
-    const struct csg_crowd *crowd = filler->cull.crowd;
-    const struct csg_frame *frame = filler->frame;
-    double texels[CSG_QUADRIC_TEXELS][4];
-    const float base[3] = {0, 0, 0};
-    float terms[CSG_NORMAL_TERMS][3];
-    if (class->ball && filler->square) {
-        const struct csg_vec3 center = {crowd->x[member], crowd->y[member], crowd->z[member]};
-        csg_screen_ball(&frame->screen, frame->at, center, crowd->radius[member], texels);
-        csg_screen_ball_normal(&frame->screen, frame->at, center, terms);
-    } else {
-        const uint32_t leaf = crowd->leaf[member];
-        const struct csg_carriers *carriers = filler->scene->carriers;
-        csg_terms_crossings(frame, filler->scene, leaf, texels, NULL);
-        csg_screen_normal(&frame->screen, frame->at,
-                          &carriers->quadrics[carriers->quadric_faces[leaf].carrier], base, terms);
-    }
-    for (int i = 0; i < 12; i++)
-        out[i] = (float)texels[i / 4][i % 4];
-    for (int i = 0; i < CSG_NORMAL_TERMS; i++)
-        put_normal(normals[i], terms[i], 1, i == 0 ? -mark : 0);
-    return !((int)texels[0][3] & CSG_QUADRIC_STIFF);
-}
-
-static void put_planes(const struct filler *filler, uint32_t leaf, float *out, float (*normals)[4],
-                       float mark)
-{
-    const struct csg_carriers *carriers = filler->scene->carriers;
-    const struct csg_frame *frame = filler->frame;
-    const uint32_t begin = carriers->face_begin[leaf], end = carriers->face_begin[leaf + 1];
-    for (uint32_t i = begin; i < end; i++, out += 4) {
-        const struct csg_face face = carriers->faces[i];
-        const struct csg_plane *plane = &carriers->planes[face.carrier];
-        const float normal[3] = {(float)plane->normal.x, (float)plane->normal.y,
-                                 (float)plane->normal.z};
-        double texel[4];
-        csg_screen_plane(&frame->screen, frame->at, plane, face.flipped, texel);
-        for (int j = 0; j < 3; j++)
-            out[j] = (float)texel[j];
-        out[3] = texel[3] < 0 ? CSG_KEY_MAX : 0;
-        put_normal(normals[i - begin], normal, face.flipped ? -1 : 1, mark);
-    }
-}
-
 /* The leaf's colour, number and normals at texel place; its instance at out. false: demoted. */
-static bool put_member(const struct filler *filler, const struct csg_crowd_class *class,
+static bool put_member(struct filler *filler, const struct csg_crowd_class *class,
                        const struct csg_candidate *candidate, size_t place, float *out)
 {
-    const uint32_t leaf = filler->cull.crowd->leaf[candidate->member];
+    const uint32_t leaf = filler->cull.view.crowd->leaf[candidate->member];
     float(*block)[4] = (float(*)[4])(filler->frame->texels.data + 4 * place);
-    float(*normals)[4] = block + CSG_ATTRIBUTE_NORMALS;
+    const float *terms = csg_cull_terms(&filler->cull, candidate->class, candidate->member);
     const float mark = (float)(place / 4 + 1);
     const int32_t first = (int32_t)(place + CSG_ATTRIBUTE_NORMALS);
+    if (!terms)
+        return false;
     put_rect(filler, candidate, out);
+    memcpy(out + 4, terms, csg_member_num_terms(class) * sizeof *terms);
+    memcpy(out + stride_of(class) - 1, &first, sizeof first);
     csg_face_color(filler->params->scheme, &filler->scene->leaves[leaf], NULL, CSG_LAYER_MODEL,
                    false, block[CSG_ATTRIBUTE_COLOR]);
     block[CSG_ATTRIBUTE_LEAF][0] = (float)leaf;
-    memcpy(out + stride_of(class) - 1, &first, sizeof first);
-    out += 4;
-    if (class->has_quadric) {
-        if (!put_quadric(filler, class, candidate->member, out, normals, mark))
-            return false;
-        out += 12;
-        normals += CSG_NORMAL_TERMS;
-    }
-    put_planes(filler, leaf, out, normals, mark);
+    csg_member_normals(&filler->cull.view, class, candidate->member, mark,
+                       block + CSG_ATTRIBUTE_NORMALS);
     return true;
 }
 
@@ -128,13 +70,13 @@ static void fill_block(void *user, size_t task)
 {
     struct filler *filler = user;
     const struct csg_crowd_block *block = &filler->cull.blocks.data[task];
-    const struct csg_crowd_class *class = &filler->cull.crowd->classes[block->class];
+    const struct csg_crowd_class *class = &filler->cull.view.crowd->classes[block->class];
     float *out = filler->frame->crowd.instances.data + filler->instances[task];
     size_t place = filler->texels[task];
     filler->pixels[task] = 0;
     for (uint32_t i = 0; i < block->num; i++) {
         const struct csg_candidate *candidate = &filler->cull.candidates[block->begin + i];
-        if (!filler->cull.crowd->opaque[candidate->member] ||
+        if (!filler->cull.view.crowd->opaque[candidate->member] ||
             !put_member(filler, class, candidate, place, out)) {
             memset(out, 0, stride_of(class) * sizeof *out); /* a rectangle without pixels */
             filler->cull.demoted[candidate->member] = 1;
@@ -158,8 +100,8 @@ static bool plan(struct filler *filler)
     uint32_t last = UINT32_MAX;
     for (size_t i = 0; i < cull->blocks.num; i++) {
         const struct csg_crowd_block *block = &cull->blocks.data[i];
-        const struct csg_crowd_class *class = &cull->crowd->classes[block->class];
-        const struct csg_crowd_run run = {class->ball && filler->square, class->has_quadric,
+        const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
+        const struct csg_crowd_run run = {class->outline == CSG_OUTLINE_BALL && cull->view.square, class->has_quadric,
                                           class->num_planes, floats, stride_of(class), 0};
         if (block->class != last && !csg_array_push(&out->runs, run))
             return false;
@@ -185,7 +127,7 @@ static bool plan(struct filler *filler)
  * drawn twice has the same keys both times. */
 static bool demote_kin(struct filler *filler)
 {
-    const struct csg_crowd *crowd = filler->cull.crowd;
+    const struct csg_crowd *crowd = filler->cull.view.crowd;
     uint8_t *demoted = filler->cull.demoted;
     bool any = false;
     for (size_t i = 0; i < crowd->num && !any; i++)
@@ -212,7 +154,7 @@ static int compare_objects(const void *a, const void *b)
 static bool list_objects(const struct filler *filler)
 {
     struct csg_frame *frame = filler->frame;
-    const struct csg_crowd *crowd = filler->cull.crowd;
+    const struct csg_crowd *crowd = filler->cull.view.crowd;
     if (!csg_array_reserve(&frame->listed, crowd->num_others + 1))
         return false;
     memcpy(frame->listed.data, crowd->others, crowd->num_others * sizeof *crowd->others);
@@ -246,10 +188,9 @@ static bool fill(struct filler *filler)
 bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
-    struct filler filler = {.cull = {.scene = scene, .crowd = scene->crowd,
-                                     .screen = &frame->screen, .at = frame->at},
-                            .frame = frame, .scene = scene, .params = params,
-                            .square = csg_screen_is_square(&frame->screen)};
+    struct filler filler = {.cull.view = {.scene = scene, .crowd = scene->crowd, .frame = frame,
+                                          .square = csg_screen_is_square(&frame->screen)},
+                            .frame = frame, .scene = scene, .params = params};
     frame->crowd.runs.num = frame->crowd.instances.num = 0;
     const bool ok = csg_cull_run(&filler.cull) && fill(&filler);
     csg_cull_finish(&filler.cull);

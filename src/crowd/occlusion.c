@@ -4,10 +4,7 @@
 #include <stdlib.h>
 
 #include "common/parallel.h"
-#include "pack/ball.h"
-
-/* Share of a ball's largest h (of its depth in keys, squared) from which on it certainly hides. */
-#define CERTAIN 1e-3f
+#include "crowd/cast.h"
 
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
@@ -16,6 +13,11 @@
 enum { MIN_OCCLUDERS = 64 };
 
 enum { NUM_BINS = 256, NUM_BANDS = 16 };
+
+static const struct csg_screen *screen_of(const struct csg_cull *cull)
+{
+    return &cull->view.frame->screen;
+}
 
 /* How far apart two keys of this size must be for the nearer one to win in the depth buffer. */
 static double key_noise(const struct csg_screen *screen, double key)
@@ -33,7 +35,7 @@ float csg_occlusion_near(const struct csg_screen *screen, double t)
 
 static bool hides(const struct csg_cull *cull, const struct csg_candidate *candidate)
 {
-    return cull->crowd->opaque[candidate->member];
+    return cull->view.crowd->opaque[candidate->member];
 }
 
 /* Roughly in order of depth: bins between the nearest and the farthest key. */
@@ -54,8 +56,6 @@ static void visit_occluders(struct csg_cull *cull, struct bins *bins, visit_fn *
 {
     for (size_t i = 0; i < cull->blocks.num; i++) {
         const struct csg_crowd_block *block = &cull->blocks.data[i];
-        if (!cull->crowd->classes[block->class].ball)
-            continue;
         for (uint32_t j = 0; j < block->num; j++)
             if (hides(cull, &cull->candidates[block->begin + j]))
                 visit(cull, bins, &cull->candidates[block->begin + j]);
@@ -101,29 +101,40 @@ static bool list_occluders(struct csg_cull *cull)
 
 /* ---- the picture ---- */
 
-/* Twin of csg_quadric in shaders/solids/quadric.glsl, for a row of pixels from d on. */
-static void draw_row(const float (*texels)[4], float noise, float dx, float dy, int num,
-                     float *keys)
+static struct csg_cast_rect offsets_of(const struct csg_cull *cull,
+                                       const struct csg_candidate *candidate)
 {
-    const float m = texels[0][0] + texels[0][2] * dy, mx = texels[0][1];
-    const float x0 = texels[1][0] + texels[1][2] * dy, xx = texels[1][1];
-    const float y0 = texels[2][0] + texels[1][1] * dy, yx = texels[1][2];
-    const float c0 = texels[1][3], ly = texels[2][3], least = CERTAIN * c0;
-    for (int i = 0; i < num; i++) {
-        const float d = dx + (float)i, x = x0 + xx * d, y = y0 - yx * d;
-        const float h = c0 + ly * (y * y) - x * x;
-        const float key = m + mx * d - sqrtf(h > 0 ? h : 0) + noise;
-        const float old = keys[i];
-        keys[i] = h > least && key < old ? key : old;
+    const struct csg_pixel at = cull->view.frame->at;
+    const double offset[2] = {0.5 - at.x, 0.5 - at.y};
+    struct csg_cast_rect rect;
+    for (int i = 0; i < 2; i++) {
+        rect.lo[i] = (float)(candidate->lo[i] + offset[i]);
+        rect.hi[i] = (float)(candidate->hi[i] + offset[i]);
     }
+    return rect;
 }
 
+/* false: it is no member that can be cast. */
+static bool prepare(const struct csg_cull *cull, const struct csg_candidate *candidate,
+                    const float *terms, struct csg_cast_rect *rect, struct csg_cast *cast)
+{
+    const float noise = (float)key_noise(screen_of(cull), (double)candidate->key);
+    *rect = offsets_of(cull, candidate);
+    return terms &&
+           csg_cast_init(cast, &cull->view.crowd->classes[candidate->class], terms, rect, noise);
+}
+
+static float *row_of(const struct csg_cull *cull, int y)
+{
+    return cull->keys + (size_t)y * (size_t)screen_of(cull)->width;
+}
+
+/* Whether something of the rectangle is as near as the candidate. */
 static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *candidate, int first,
                      int last)
 {
-    const int width = cull->screen->width;
     for (int y = first; y <= last; y++) {
-        const float *row = cull->keys + (size_t)y * (size_t)width;
+        const float *row = row_of(cull, y);
         for (int x = candidate->lo[0]; x <= candidate->hi[0]; x++)
             if (row[x] > candidate->key)
                 return true;
@@ -131,33 +142,49 @@ static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *ca
     return false;
 }
 
-/* Rows first to last of an occluder. */
-static void draw(const struct csg_cull *cull, const struct csg_candidate *occluder, int first,
-                 int last)
+static int lanes_left(const struct csg_candidate *candidate, int x)
 {
-    const struct csg_crowd *crowd = cull->crowd;
-    const uint32_t member = occluder->member;
-    const struct csg_vec3 center = {crowd->x[member], crowd->y[member], crowd->z[member]};
-    const float noise = (float)key_noise(cull->screen, (double)occluder->key);
-    const int x = occluder->lo[0];
-    double terms[CSG_BALL_TEXELS][4];
-    float texels[CSG_BALL_TEXELS][4];
-    csg_screen_ball(cull->screen, cull->at, center, crowd->radius[member], terms);
-    for (int i = 0; i < 4 * CSG_BALL_TEXELS; i++)
-        texels[i / 4][i % 4] = (float)terms[i / 4][i % 4];
+    const int left = candidate->hi[0] - x + 1;
+    return left < CSG_CAST_LANES ? left : CSG_CAST_LANES;
+}
+
+/* Rows first to last of an occluder. */
+static void draw(struct csg_cull *cull, const struct csg_candidate *occluder, const float *terms,
+                 int first, int last)
+{
+    struct csg_cast_rect rect;
+    struct csg_cast cast;
+    float near[CSG_CAST_LANES], far[CSG_CAST_LANES];
+    if (!prepare(cull, occluder, terms, &rect, &cast))
+        return;
     for (int y = first; y <= last; y++)
-        draw_row((const float(*)[4])texels, noise, (float)(x + 0.5 - cull->at.x),
-                 (float)(y + 0.5 - cull->at.y), occluder->hi[0] - x + 1,
-                 cull->keys + (size_t)y * (size_t)cull->screen->width + x);
+        for (int x = occluder->lo[0]; x <= occluder->hi[0]; x += CSG_CAST_LANES) {
+            float *keys = row_of(cull, y) + x;
+            csg_cast_row(&cast, rect.lo[0] + (float)(x - occluder->lo[0]),
+                         rect.lo[1] + (float)(y - occluder->lo[1]), near, far);
+            for (int i = 0, num = lanes_left(occluder, x); i < num; i++)
+                keys[i] = far[i] < keys[i] ? far[i] : keys[i];
+        }
+}
+
+/* Terms for a band: those that all may use are found by the one in which the occluder begins. */
+static const float *terms_in(struct csg_cull *cull, const struct csg_candidate *occluder, int begin,
+                             float *own)
+{
+    const struct csg_crowd_class *class = &cull->view.crowd->classes[occluder->class];
+    if (occluder->lo[1] >= begin)
+        return csg_cull_terms(cull, occluder->class, occluder->member);
+    return csg_member_terms(&cull->view, class, occluder->member, own) ? own : NULL;
 }
 
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
 {
     struct csg_cull *cull = user;
-    const int width = cull->screen->width, height = cull->screen->height;
+    const int width = screen_of(cull)->width, height = screen_of(cull)->height;
     const int begin = (int)((int64_t)height * (int)task / NUM_BANDS);
     const int end = (int)((int64_t)height * ((int)task + 1) / NUM_BANDS) - 1;
+    float own[12 + 4 * CSG_CROWD_MAX_PLANES];
     for (size_t i = (size_t)begin * (size_t)width; i < (size_t)(end + 1) * (size_t)width; i++)
         cull->keys[i] = CSG_KEY_MAX;
     for (size_t i = 0; i < cull->num_occluders; i++) {
@@ -165,27 +192,61 @@ static void draw_band(void *user, size_t task)
         const int first = occluder->lo[1] > begin ? occluder->lo[1] : begin;
         const int last = occluder->hi[1] < end ? occluder->hi[1] : end;
         if (first <= last && shows_in(cull, occluder, first, last))
-            draw(cull, occluder, first, last);
+            draw(cull, occluder, terms_in(cull, occluder, begin, own), first, last);
     }
 }
 
 bool csg_occlusion_draw(struct csg_cull *cull)
 {
-    if (!csg_screen_is_square(cull->screen))
+    if (!cull->view.square)
         return true;
     if (!list_occluders(cull))
         return false;
     if (cull->num_occluders < MIN_OCCLUDERS)
         return true;
     cull->keys =
-        malloc((size_t)cull->screen->width * (size_t)cull->screen->height * sizeof *cull->keys);
+        malloc((size_t)screen_of(cull)->width * (size_t)screen_of(cull)->height * sizeof *cull->keys);
     if (!cull->keys)
         return false;
     csg_parallel(NUM_BANDS, draw_band, cull);
     return true;
 }
 
-bool csg_occlusion_shows(const struct csg_cull *cull, const struct csg_candidate *candidate)
+/* The pixels at which it may show, by casting it. */
+static bool narrow(const struct csg_cull *cull, const struct csg_cast *cast,
+                   const struct csg_cast_rect *rect, struct csg_candidate *candidate)
 {
-    return shows_in(cull, candidate, candidate->lo[1], candidate->hi[1]);
+    const struct csg_candidate all = *candidate;
+    float near[CSG_CAST_LANES], far[CSG_CAST_LANES];
+    int lo[2] = {INT16_MAX, INT16_MAX}, hi[2] = {-1, -1};
+    for (int y = all.lo[1]; y <= all.hi[1]; y++)
+        for (int x = all.lo[0]; x <= all.hi[0]; x += CSG_CAST_LANES) {
+            const float *keys = row_of(cull, y) + x;
+            csg_cast_row(cast, rect->lo[0] + (float)(x - all.lo[0]),
+                         rect->lo[1] + (float)(y - all.lo[1]), near, far);
+            for (int i = 0, num = lanes_left(&all, x); i < num; i++) {
+                if (near[i] > keys[i] || near[i] >= CSG_KEY_MAX)
+                    continue;
+                lo[0] = x + i < lo[0] ? x + i : lo[0];
+                hi[0] = x + i > hi[0] ? x + i : hi[0];
+                lo[1] = y < lo[1] ? y : lo[1];
+                hi[1] = y;
+            }
+        }
+    for (int i = 0; i < 2; i++) {
+        candidate->lo[i] = (int16_t)lo[i];
+        candidate->hi[i] = (int16_t)hi[i];
+    }
+    return hi[1] >= 0;
+}
+
+bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate)
+{
+    struct csg_cast_rect rect;
+    struct csg_cast cast;
+    if (!shows_in(cull, candidate, candidate->lo[1], candidate->hi[1]))
+        return false;
+    const float *terms = csg_cull_terms(cull, candidate->class, candidate->member);
+    return !prepare(cull, candidate, terms, &rect, &cast) ||
+           narrow(cull, &cast, &rect, candidate);
 }

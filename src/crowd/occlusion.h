@@ -3,7 +3,7 @@
 #define CSG_CROWD_OCCLUSION_H
 
 /*
- * A coarse picture of the balls in a crowd, by the CPU: per pixel a key behind which nothing can
+ * A picture of the members of a crowd, by the CPU: per pixel a key behind which nothing can
  * show. It is conservative: what the shader finds is nearer by more than both sides' rounding and
  * the depth buffer's steps together.
  */
@@ -17,7 +17,7 @@ float csg_occlusion_near(const struct csg_screen *screen, double t);
  * of memory. */
 bool csg_occlusion_draw(struct csg_cull *cull);
 
-/* Whether a candidate may show at some pixel. */
-bool csg_occlusion_shows(const struct csg_cull *cull, const struct csg_candidate *candidate);
+/* Whether a candidate may show at some pixel; narrows its rectangle to those. */
+bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate);
 
 #endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CROWD_CAST_H
+#define CSG_CROWD_CAST_H
+
+/*
+ * What shaders/passes/single.frag.glsl finds, by the CPU and from the same terms, between bounds: each
+ * number is off by its rounding at most, there or here.
+ */
+
+#include "crowd/crowd.h"
+
+/* Pixels of a row that are cast at once. */
+#define CSG_CAST_LANES 8
+
+struct csg_cast {
+    const float *quadric; /* three texels; NULL: none */
+    const float *planes;  /* one texel each */
+    uint32_t num_planes;
+    float noise;          /* of keys, whatever the member: the depth buffer's steps */
+    float quadric_noise;  /* of the middle of its crossings, and of the root */
+    float conic_noise;
+    float plane_noise[CSG_CROWD_MAX_PLANES];
+};
+
+/* A range of offsets from the reference pixel. */
+struct csg_cast_rect {
+    float lo[2], hi[2];
+};
+
+/* From csg_member_terms, for pixels in rect. false: not of the kind that can be cast here, which is
+ * what lies between its quadric's crossings. */
+bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, const float *terms,
+                   const struct csg_cast_rect *rect, float noise);
+
+/*
+ * At d = (dx + i, dy): near[i] is at most the key that can be seen, and CSG_KEY_MAX where the member
+ * is certainly missed; far[i] is at least that, and CSG_KEY_MAX where it may be missed.
+ */
+void csg_cast_row(const struct csg_cast *cast, float dx, float dy, float near[CSG_CAST_LANES],
+                  float far[CSG_CAST_LANES]);
+
+#endif

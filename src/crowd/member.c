@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+#include "crowd/member.h"
+
+#include "csg/carrier.h"
+#include "pack/ball.h"
+#include "pack/terms.h"
+
+static bool is_ball(const struct csg_crowd_view *view, const struct csg_crowd_class *class)
+{
+    return class->outline == CSG_OUTLINE_BALL && view->square;
+}
+
+static struct csg_vec3 center_of(const struct csg_crowd_view *view, uint32_t member)
+{
+    const struct csg_crowd *crowd = view->crowd;
+    return csg_vec3(crowd->x[member], crowd->y[member], crowd->z[member]);
+}
+
+/* false: stiff. */
+static bool quadric_terms(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
+                          uint32_t member, float *out)
+{
+    const struct csg_frame *frame = view->frame;
+    double texels[CSG_QUADRIC_TEXELS][4];
+    if (is_ball(view, class))
+        csg_screen_ball(&frame->screen, frame->at, center_of(view, member),
+                        view->crowd->radius[member], texels);
+    else
+        csg_terms_crossings(frame, view->scene, view->crowd->leaf[member], texels, NULL);
+    for (int i = 0; i < 12; i++)
+        out[i] = (float)texels[i / 4][i % 4];
+    return !((int)texels[0][3] & CSG_QUADRIC_STIFF);
+}
+
+static void plane_terms(const struct csg_crowd_view *view, const struct csg_face *face, float *out)
+{
+    const struct csg_frame *frame = view->frame;
+    double texel[4];
+    csg_screen_plane(&frame->screen, frame->at, &view->scene->carriers->planes[face->carrier],
+                     face->flipped, texel);
+    for (int j = 0; j < 3; j++)
+        out[j] = (float)texel[j];
+    out[3] = texel[3] < 0 ? CSG_KEY_MAX : 0;
+}
+
+bool csg_member_terms(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
+                      uint32_t member, float *out)
+{
+    const struct csg_carriers *carriers = view->scene->carriers;
+    const struct csg_face *faces =
+        carriers->faces + carriers->face_begin[view->crowd->leaf[member]];
+    if (class->has_quadric && !quadric_terms(view, class, member, out))
+        return false;
+    out += class->has_quadric ? 12 : 0;
+    for (uint32_t i = 0; i < class->num_planes; i++, out += 4)
+        plane_terms(view, &faces[i], out);
+    return true;
+}
+
+static void put_normal(float *texel, const float normal[3], double sign, float mark)
+{
+    for (int i = 0; i < 3; i++)
+        texel[i] = (float)(sign * (double)normal[i]);
+    texel[3] = mark;
+}
+
+static void quadric_normals(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
+                            uint32_t member, float mark, float (*normals)[4])
+{
+    const struct csg_frame *frame = view->frame;
+    const struct csg_carriers *carriers = view->scene->carriers;
+    const struct csg_face face = carriers->quadric_faces[view->crowd->leaf[member]];
+    const float base[3] = {0, 0, 0};
+    float terms[CSG_NORMAL_TERMS][3];
+    if (is_ball(view, class))
+        csg_screen_ball_normal(&frame->screen, frame->at, center_of(view, member), terms);
+    else
+        csg_screen_normal(&frame->screen, frame->at, &carriers->quadrics[face.carrier], base,
+                          terms);
+    for (int i = 0; i < CSG_NORMAL_TERMS; i++)
+        put_normal(normals[i], terms[i], 1, i == 0 ? -mark : 0);
+}
+
+void csg_member_normals(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
+                        uint32_t member, float mark, float (*normals)[4])
+{
+    const struct csg_carriers *carriers = view->scene->carriers;
+    const struct csg_face *faces =
+        carriers->faces + carriers->face_begin[view->crowd->leaf[member]];
+    if (class->has_quadric)
+        quadric_normals(view, class, member, mark, normals);
+    normals += class->has_quadric ? CSG_NORMAL_TERMS : 0;
+    for (uint32_t i = 0; i < class->num_planes; i++) {
+        const struct csg_vec3 n = carriers->planes[faces[i].carrier].normal;
+        const float normal[3] = {(float)n.x, (float)n.y, (float)n.z};
+        put_normal(normals[i], normal, faces[i].flipped ? -1 : 1, mark);
+    }
+}
