@@ -128,23 +128,53 @@ static void leave(const float *t, float noise, float dx, float dy, struct spans 
     }
 }
 
-void csg_cast_row(const struct csg_cast *cast, float dx, float dy, float near[CSG_CAST_LANES],
-                  float far[CSG_CAST_LANES])
+static void cast_row(const struct csg_cast *cast, float dx, float dy, struct spans *spans)
 {
-    struct spans spans;
     if (cast->quadric)
-        start_quadric(cast, dx, dy, &spans);
+        start_quadric(cast, dx, dy, spans);
     else
-        start(&spans);
+        start(spans);
     for (uint32_t i = 0; i < cast->num_planes; i++) {
         const float *t = cast->planes + 4 * i;
         if (t[3] > 0)
-            leave(t, cast->plane_noise[i], dx, dy, &spans);
+            leave(t, cast->plane_noise[i], dx, dy, spans);
         else
-            enter(t, cast->plane_noise[i], dx, dy, &spans);
+            enter(t, cast->plane_noise[i], dx, dy, spans);
     }
+}
+
+void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys)
+{
+    struct spans spans;
+    cast_row(cast, dx, dy, &spans);
     for (int i = 0; i < CSG_CAST_LANES; i++) {
-        near[i] = spans.entry_lo[i] <= spans.exit_hi[i] ? spans.entry_lo[i] : CSG_KEY_MAX;
-        far[i] = spans.entry_hi[i] < spans.exit_lo[i] ? spans.entry_hi[i] : CSG_KEY_MAX;
+        const float far = spans.entry_hi[i] < spans.exit_lo[i] ? spans.entry_hi[i] : CSG_KEY_MAX;
+        const float old = keys[i], key = far < old ? far : old;
+        keys[i] = i < num ? key : old;
     }
+}
+
+/* Lane i is bit i. */
+static const unsigned bits[CSG_CAST_LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
+
+unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, int num,
+                        const float *keys)
+{
+    struct spans spans;
+    unsigned shows = 0;
+    cast_row(cast, dx, dy, &spans);
+    for (int i = 0; i < CSG_CAST_LANES; i++) {
+        const float near = spans.entry_lo[i];
+        const unsigned met = near <= spans.exit_hi[i] ? bits[i] : 0;
+        shows |= near <= keys[i] ? met : 0;
+    }
+    return shows & ((1u << num) - 1);
+}
+
+bool csg_cast_any_behind(float key, int num, const float *keys)
+{
+    unsigned behind = 0;
+    for (int i = 0; i < CSG_CAST_LANES; i++)
+        behind |= keys[i] > key ? bits[i] : 0;
+    return behind & ((1u << num) - 1);
 }

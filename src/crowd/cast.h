@@ -33,10 +33,18 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
                    const struct csg_cast_rect *rect, float noise);
 
 /*
- * At d = (dx + i, dy): near[i] is at most the key that can be seen, and CSG_KEY_MAX where the member
- * is certainly missed; far[i] is at least that, and CSG_KEY_MAX where it may be missed.
+ * What follows is about num pixels of a row, at most CSG_CAST_LANES, at d = (dx + i, dy) for i = 0 ..
+ * num - 1. keys[i] is what is known to hide what is behind it; CSG_CAST_LANES of them can be read.
  */
-void csg_cast_row(const struct csg_cast *cast, float dx, float dy, float near[CSG_CAST_LANES],
-                  float far[CSG_CAST_LANES]);
+
+/* Notes what the member certainly hides. */
+void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys);
+
+/* The pixels, as bits, at which the member may show. */
+unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, int num,
+                        const float *keys);
+
+/* Whether something with this key would show at any. */
+bool csg_cast_any_behind(float key, int num, const float *keys);
 
 #endif

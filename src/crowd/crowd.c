@@ -31,7 +31,7 @@ static const struct csg_node *single_node(const struct csgcast_scene *scene,
 }
 
 static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf,
-                                struct csg_ball *ball, double numbers[CSG_OUTLINE_MAX])
+                                struct csg_outline_ball *ball, double numbers[CSG_OUTLINE_MAX])
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric =
@@ -53,7 +53,7 @@ static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object
     const size_t index = (size_t)(object - scene->objects->data);
     if (scene->sharpness[index].least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
         return NO_CLASS;
-    struct csg_ball ball;
+    struct csg_outline_ball ball;
     double numbers[CSG_OUTLINE_MAX];
     switch (measure(scene, node->leaf, &ball, numbers)) {
     case CSG_OUTLINE_BALL:
@@ -230,7 +230,7 @@ static void put_outline(struct csg_crowd *crowd, size_t at, const struct csgcast
 {
     const struct csg_crowd_class *class = class_at(crowd, at);
     const size_t size = csg_outline_size(class->outline);
-    struct csg_ball ball;
+    struct csg_outline_ball ball;
     double numbers[CSG_OUTLINE_MAX];
     measure(scene, crowd->leaf[at], &ball, numbers);
     crowd->x[at] = ball.center.x;

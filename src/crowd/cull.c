@@ -49,13 +49,19 @@ static void look_at_block(void *user, size_t task)
     struct csg_crowd_block *block = &cull->blocks.data[task];
     const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
     block->num = 0;
+    block->lo_key = INFINITY;
+    block->hi_key = -INFINITY;
     for (uint32_t i = block->begin; i < block->end; i++) {
         struct csg_candidate *candidate = &cull->candidates[block->begin + block->num];
         candidate->member = i;
         candidate->class = block->class;
         const enum verdict verdict = look_at(cull, &camera, class, candidate);
         cull->demoted[i] = verdict == DEMOTED;
-        block->num += verdict == SEEN;
+        if (verdict != SEEN)
+            continue;
+        block->num++;
+        block->lo_key = candidate->key < block->lo_key ? candidate->key : block->lo_key;
+        block->hi_key = candidate->key > block->hi_key ? candidate->key : block->hi_key;
     }
 }
 
@@ -79,7 +85,7 @@ static bool plan_blocks(struct csg_cull *cull)
         for (size_t begin = class->begin; begin < class->end; begin += CSG_CROWD_BLOCK) {
             const size_t end = begin + CSG_CROWD_BLOCK;
             const struct csg_crowd_block block = {
-                i, (uint32_t)begin, (uint32_t)(end < class->end ? end : class->end), 0};
+                i, (uint32_t)begin, (uint32_t)(end < class->end ? end : class->end), 0, 0, 0};
             if (!csg_array_push(&cull->blocks, block))
                 return false;
         }
@@ -146,5 +152,5 @@ void csg_cull_finish(struct csg_cull *cull)
     free(cull->state);
     free(cull->terms);
     free(cull->keys);
-    free(cull->occluders);
+    free(cull->drawn);
 }

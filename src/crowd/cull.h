@@ -8,6 +8,8 @@
  * pixels are known at which they may show.
  */
 
+#include <stdatomic.h>
+
 #include "common/array.h"
 #include "crowd/member.h"
 
@@ -27,6 +29,7 @@ struct csg_crowd_block {
     uint32_t class;
     uint32_t begin, end; /* members; its candidates start at begin */
     uint32_t num;        /* candidates */
+    float lo_key, hi_key; /* of theirs; infinite where there are none */
 };
 
 /* Whether the terms of a member are in csg_cull.terms. */
@@ -39,8 +42,7 @@ struct csg_cull {
     struct csg_candidate *candidates; /* one a member */
     uint8_t *demoted;                 /* per member: drawn as other objects are */
     float *keys;                      /* per pixel: what is farther is hidden */
-    struct csg_candidate *occluders;  /* those that hide others, roughly the nearest first */
-    size_t num_occluders;
+    atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell */
     float *terms;   /* of csg_member_terms, of the members that had to be cast */
     uint8_t *state; /* per member: enum csg_terms_state */
     size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* of a class's first member */

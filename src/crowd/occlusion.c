@@ -5,14 +5,13 @@
 
 #include "common/parallel.h"
 #include "crowd/cast.h"
+#include "crowd/occluders.h"
 
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
 
 /* Fewer are drawn sooner than compared. */
 enum { MIN_OCCLUDERS = 64 };
-
-enum { NUM_BINS = 256, NUM_BANDS = 16 };
 
 static const struct csg_screen *screen_of(const struct csg_cull *cull)
 {
@@ -30,76 +29,6 @@ float csg_occlusion_near(const struct csg_screen *screen, double t)
     const double key = csg_screen_key(screen, t);
     return (float)(key - key_noise(screen, key));
 }
-
-/* ---- who hides others ---- */
-
-static bool hides(const struct csg_cull *cull, const struct csg_candidate *candidate)
-{
-    return cull->view.crowd->opaque[candidate->member];
-}
-
-/* Roughly in order of depth: bins between the nearest and the farthest key. */
-struct bins {
-    float lo, hi;
-    size_t next[NUM_BINS];
-};
-
-static int bin_of(const struct bins *bins, float key)
-{
-    const float place = (key - bins->lo) / (bins->hi - bins->lo);
-    return place < 1 ? place > 0 ? (int)(place * NUM_BINS) : 0 : NUM_BINS - 1;
-}
-
-typedef void visit_fn(struct csg_cull *cull, struct bins *bins, const struct csg_candidate *);
-
-static void visit_occluders(struct csg_cull *cull, struct bins *bins, visit_fn *visit)
-{
-    for (size_t i = 0; i < cull->blocks.num; i++) {
-        const struct csg_crowd_block *block = &cull->blocks.data[i];
-        for (uint32_t j = 0; j < block->num; j++)
-            if (hides(cull, &cull->candidates[block->begin + j]))
-                visit(cull, bins, &cull->candidates[block->begin + j]);
-    }
-}
-
-static void extend(struct csg_cull *cull, struct bins *bins, const struct csg_candidate *candidate)
-{
-    (void)cull;
-    bins->lo = fminf(bins->lo, candidate->key);
-    bins->hi = fmaxf(bins->hi, candidate->key);
-}
-
-static void count(struct csg_cull *cull, struct bins *bins, const struct csg_candidate *candidate)
-{
-    bins->next[bin_of(bins, candidate->key)]++;
-    cull->num_occluders++;
-}
-
-static void place(struct csg_cull *cull, struct bins *bins, const struct csg_candidate *candidate)
-{
-    cull->occluders[bins->next[bin_of(bins, candidate->key)]++] = *candidate;
-}
-
-/* false: out of memory. */
-static bool list_occluders(struct csg_cull *cull)
-{
-    struct bins bins = {.lo = INFINITY, .hi = -INFINITY};
-    visit_occluders(cull, &bins, extend);
-    visit_occluders(cull, &bins, count);
-    cull->occluders = malloc((cull->num_occluders + 1) * sizeof *cull->occluders);
-    if (!cull->occluders)
-        return false;
-    size_t sum = 0;
-    for (int i = 0; i < NUM_BINS; i++) {
-        const size_t num = bins.next[i];
-        bins.next[i] = sum;
-        sum += num;
-    }
-    visit_occluders(cull, &bins, place);
-    return true;
-}
-
-/* ---- the picture ---- */
 
 static struct csg_cast_rect offsets_of(const struct csg_cull *cull,
                                        const struct csg_candidate *candidate)
@@ -124,22 +53,15 @@ static bool prepare(const struct csg_cull *cull, const struct csg_candidate *can
            csg_cast_init(cast, &cull->view.crowd->classes[candidate->class], terms, rect, noise);
 }
 
-static float *row_of(const struct csg_cull *cull, int y)
+/* Rows have room for lanes behind their end. */
+static size_t stride_of(const struct csg_cull *cull)
 {
-    return cull->keys + (size_t)y * (size_t)screen_of(cull)->width;
+    return (size_t)screen_of(cull)->width + CSG_CAST_LANES;
 }
 
-/* Whether something of the rectangle is as near as the candidate. */
-static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *candidate, int first,
-                     int last)
+static float *row_of(const struct csg_cull *cull, int y)
 {
-    for (int y = first; y <= last; y++) {
-        const float *row = row_of(cull, y);
-        for (int x = candidate->lo[0]; x <= candidate->hi[0]; x++)
-            if (row[x] > candidate->key)
-                return true;
-    }
-    return false;
+    return cull->keys + (size_t)y * stride_of(cull);
 }
 
 static int lanes_left(const struct csg_candidate *candidate, int x)
@@ -148,23 +70,32 @@ static int lanes_left(const struct csg_candidate *candidate, int x)
     return left < CSG_CAST_LANES ? left : CSG_CAST_LANES;
 }
 
+/* Whether something of the rectangle is as near as the candidate. */
+static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *candidate, int first,
+                     int last)
+{
+    for (int y = first; y <= last; y++) {
+        const float *row = row_of(cull, y);
+        for (int x = candidate->lo[0]; x <= candidate->hi[0]; x += CSG_CAST_LANES)
+            if (csg_cast_any_behind(candidate->key, lanes_left(candidate, x), row + x))
+                return true;
+    }
+    return false;
+}
+
 /* Rows first to last of an occluder. */
 static void draw(struct csg_cull *cull, const struct csg_candidate *occluder, const float *terms,
                  int first, int last)
 {
     struct csg_cast_rect rect;
     struct csg_cast cast;
-    float near[CSG_CAST_LANES], far[CSG_CAST_LANES];
     if (!prepare(cull, occluder, terms, &rect, &cast))
         return;
     for (int y = first; y <= last; y++)
-        for (int x = occluder->lo[0]; x <= occluder->hi[0]; x += CSG_CAST_LANES) {
-            float *keys = row_of(cull, y) + x;
-            csg_cast_row(&cast, rect.lo[0] + (float)(x - occluder->lo[0]),
-                         rect.lo[1] + (float)(y - occluder->lo[1]), near, far);
-            for (int i = 0, num = lanes_left(occluder, x); i < num; i++)
-                keys[i] = far[i] < keys[i] ? far[i] : keys[i];
-        }
+        for (int x = occluder->lo[0]; x <= occluder->hi[0]; x += CSG_CAST_LANES)
+            csg_cast_draw(&cast, rect.lo[0] + (float)(x - occluder->lo[0]),
+                          rect.lo[1] + (float)(y - occluder->lo[1]), lanes_left(occluder, x),
+                          row_of(cull, y) + x);
 }
 
 /* Terms for a band: those that all may use are found by the one in which the occluder begins. */
@@ -177,39 +108,63 @@ static const float *terms_in(struct csg_cull *cull, const struct csg_candidate *
     return csg_member_terms(&cull->view, class, occluder->member, own) ? own : NULL;
 }
 
+struct drawing {
+    struct csg_cull *cull;
+    struct csg_occluders occluders;
+};
+
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
 {
-    struct csg_cull *cull = user;
-    const int width = screen_of(cull)->width, height = screen_of(cull)->height;
-    const int begin = (int)((int64_t)height * (int)task / NUM_BANDS);
-    const int end = (int)((int64_t)height * ((int)task + 1) / NUM_BANDS) - 1;
+    const struct drawing *drawing = user;
+    const struct csg_occluders *occluders = &drawing->occluders;
+    struct csg_cull *cull = drawing->cull;
+    const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
     float own[12 + 4 * CSG_CROWD_MAX_PLANES];
-    for (size_t i = (size_t)begin * (size_t)width; i < (size_t)(end + 1) * (size_t)width; i++)
-        cull->keys[i] = CSG_KEY_MAX;
-    for (size_t i = 0; i < cull->num_occluders; i++) {
-        const struct csg_candidate *occluder = &cull->occluders[i];
+    for (float *key = row_of(cull, begin); key < row_of(cull, end + 1); key++)
+        *key = CSG_KEY_MAX;
+    for (size_t i = occluders->begin[task]; i < occluders->begin[task + 1]; i++) {
+        const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
         const int first = occluder->lo[1] > begin ? occluder->lo[1] : begin;
         const int last = occluder->hi[1] < end ? occluder->hi[1] : end;
-        if (first <= last && shows_in(cull, occluder, first, last))
-            draw(cull, occluder, terms_in(cull, occluder, begin, own), first, last);
+        if (!shows_in(cull, occluder, first, last))
+            continue;
+        atomic_store_explicit(&cull->drawn[occluder->member], true, memory_order_relaxed);
+        draw(cull, occluder, terms_in(cull, occluder, begin, own), first, last);
     }
 }
 
 bool csg_occlusion_draw(struct csg_cull *cull)
 {
+    struct drawing drawing = {.cull = cull};
     if (!cull->view.square)
         return true;
-    if (!list_occluders(cull))
-        return false;
-    if (cull->num_occluders < MIN_OCCLUDERS)
-        return true;
-    cull->keys =
-        malloc((size_t)screen_of(cull)->width * (size_t)screen_of(cull)->height * sizeof *cull->keys);
-    if (!cull->keys)
-        return false;
-    csg_parallel(NUM_BANDS, draw_band, cull);
-    return true;
+    bool ok = csg_occluders_fill(&drawing.occluders, cull);
+    if (ok && drawing.occluders.num >= MIN_OCCLUDERS) {
+        cull->keys = malloc(stride_of(cull) * (size_t)screen_of(cull)->height * sizeof *cull->keys);
+        cull->drawn = calloc(cull->view.crowd->num + 1, sizeof *cull->drawn);
+        ok = cull->keys && cull->drawn;
+        if (ok)
+            csg_parallel(CSG_NUM_BANDS, draw_band, &drawing);
+    }
+    csg_occluders_finish(&drawing.occluders);
+    return ok;
+}
+
+static int lowest(unsigned set)
+{
+    int i = 0;
+    while (!(set >> i & 1))
+        i++;
+    return i;
+}
+
+static int highest(unsigned set)
+{
+    int i = 0;
+    while (set >> i > 1)
+        i++;
+    return i;
 }
 
 /* The pixels at which it may show, by casting it. */
@@ -217,21 +172,18 @@ static bool narrow(const struct csg_cull *cull, const struct csg_cast *cast,
                    const struct csg_cast_rect *rect, struct csg_candidate *candidate)
 {
     const struct csg_candidate all = *candidate;
-    float near[CSG_CAST_LANES], far[CSG_CAST_LANES];
     int lo[2] = {INT16_MAX, INT16_MAX}, hi[2] = {-1, -1};
     for (int y = all.lo[1]; y <= all.hi[1]; y++)
         for (int x = all.lo[0]; x <= all.hi[0]; x += CSG_CAST_LANES) {
-            const float *keys = row_of(cull, y) + x;
-            csg_cast_row(cast, rect->lo[0] + (float)(x - all.lo[0]),
-                         rect->lo[1] + (float)(y - all.lo[1]), near, far);
-            for (int i = 0, num = lanes_left(&all, x); i < num; i++) {
-                if (near[i] > keys[i] || near[i] >= CSG_KEY_MAX)
-                    continue;
-                lo[0] = x + i < lo[0] ? x + i : lo[0];
-                hi[0] = x + i > hi[0] ? x + i : hi[0];
-                lo[1] = y < lo[1] ? y : lo[1];
-                hi[1] = y;
-            }
+            const unsigned shows = csg_cast_shows(
+                cast, rect->lo[0] + (float)(x - all.lo[0]), rect->lo[1] + (float)(y - all.lo[1]),
+                lanes_left(&all, x), row_of(cull, y) + x);
+            if (!shows)
+                continue;
+            lo[0] = x + lowest(shows) < lo[0] ? x + lowest(shows) : lo[0];
+            hi[0] = x + highest(shows) > hi[0] ? x + highest(shows) : hi[0];
+            lo[1] = y < lo[1] ? y : lo[1];
+            hi[1] = y;
         }
     for (int i = 0; i < 2; i++) {
         candidate->lo[i] = (int16_t)lo[i];
@@ -244,6 +196,9 @@ bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate)
 {
     struct csg_cast_rect rect;
     struct csg_cast cast;
+    /* What was hidden when its turn came still is. */
+    if (csg_hides_others(cull, candidate) && !cull->drawn[candidate->member])
+        return false;
     if (!shows_in(cull, candidate, candidate->lo[1], candidate->hi[1]))
         return false;
     const float *terms = csg_cull_terms(cull, candidate->class, candidate->member);

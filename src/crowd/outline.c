@@ -37,7 +37,7 @@ static double reach_of(const struct csg_vec3 axes[3])
     return most;
 }
 
-static void measure_box(const struct csg_shape *shape, struct csg_ball *ball, double *numbers)
+static void measure_box(const struct csg_shape *shape, struct csg_outline_ball *ball, double *numbers)
 {
     const struct csg_box *box = &shape->bounds;
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
@@ -53,7 +53,7 @@ static void measure_box(const struct csg_shape *shape, struct csg_ball *ball, do
 
 /* The image of the unit ball. The squares of the half-axes of an ellipsoid sum up to those of any
  * conjugate ones. */
-static void measure_ellipsoid(const struct csg_map *from_canon, struct csg_ball *ball,
+static void measure_ellipsoid(const struct csg_map *from_canon, struct csg_outline_ball *ball,
                               double *numbers)
 {
     double sum = 0;
@@ -87,7 +87,7 @@ static double disc_reach(struct csg_vec3 h, struct csg_vec3 a, struct csg_vec3 b
 
 /* x^2 + y^2 <= 1 or <= z^2 between two planes of constant z. */
 static bool measure_discs(const struct csg_shape *shape, const struct csg_quadric *quadric,
-                          const struct csg_map *from_canon, struct csg_ball *ball, double *numbers)
+                          const struct csg_map *from_canon, struct csg_outline_ball *ball, double *numbers)
 {
     const bool cone = quadric->diag[2] == -1;
     double z[2];
@@ -95,7 +95,9 @@ static bool measure_discs(const struct csg_shape *shape, const struct csg_quadri
         !find_cap(&shape->planes[0], from_canon, &z[0]) ||
         !find_cap(&shape->planes[1], from_canon, &z[1]))
         return false;
-    if (cone && (z[0] * z[1] < 0 || fmax(fabs(z[0]), fabs(z[1])) > MAX_APEX * fabs(z[1] - z[0])))
+    const double height = fabs(z[1] - z[0]), most = fmax(fabs(z[0]), fabs(z[1]));
+    const double least = z[0] * z[1] < 0 ? fmin(fabs(z[0]), fabs(z[1])) : 0; /* of both nappes */
+    if (cone && (least > NOISE * most || most > MAX_APEX * height))
         return false;
     const struct csg_vec3 a = column(from_canon, 0), b = column(from_canon, 1);
     const struct csg_vec3 w = column(from_canon, 2);
@@ -113,7 +115,7 @@ static bool measure_discs(const struct csg_shape *shape, const struct csg_quadri
 
 /* false: no ellipsoid, cylinder or frustum. */
 static bool measure_quadric(const struct csg_shape *shape, const struct csg_quadric *quadric,
-                            enum csg_outline *kind, struct csg_ball *ball, double *numbers)
+                            enum csg_outline *kind, struct csg_outline_ball *ball, double *numbers)
 {
     const double *d = quadric->diag;
     struct csg_map from_canon;
@@ -134,7 +136,7 @@ static bool measure_quadric(const struct csg_shape *shape, const struct csg_quad
 }
 
 enum csg_outline csg_outline_of(const struct csg_shape *shape, const struct csg_quadric *quadric,
-                                struct csg_ball *ball, double numbers[CSG_OUTLINE_MAX])
+                                struct csg_outline_ball *ball, double numbers[CSG_OUTLINE_MAX])
 {
     enum csg_outline kind;
     if (quadric && measure_quadric(shape, quadric, &kind, ball, numbers))

@@ -19,7 +19,7 @@ enum csg_outline {
 };
 
 /* A ball around the solid; of CSG_OUTLINE_BALL itself. */
-struct csg_ball {
+struct csg_outline_ball {
     struct csg_vec3 center;
     double radius;
 };
@@ -33,6 +33,6 @@ size_t csg_outline_size(enum csg_outline kind);
 /* The kind that suits a convex, bounded solid best; ball and numbers, in world space. quadric: the
  * one that is drawn, NULL where the shape has none. */
 enum csg_outline csg_outline_of(const struct csg_shape *shape, const struct csg_quadric *quadric,
-                                struct csg_ball *ball, double numbers[CSG_OUTLINE_MAX]);
+                                struct csg_outline_ball *ball, double numbers[CSG_OUTLINE_MAX]);
 
 #endif

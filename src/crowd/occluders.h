@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CROWD_OCCLUDERS_H
+#define CSG_CROWD_OCCLUDERS_H
+
+/* The candidates that hide others, by band of rows, each band's roughly the nearest first. */
+
+#include "crowd/cull.h"
+
+enum { CSG_NUM_BANDS = 16 };
+
+struct csg_occluders {
+    size_t num;                      /* candidates */
+    uint32_t *order;                 /* places in csg_cull.candidates, once for each of its bands */
+    size_t begin[CSG_NUM_BANDS + 1]; /* of a band in order */
+};
+
+/* The first row of a band; of the one behind the last: the picture's height. */
+int csg_band_begin(const struct csg_cull *cull, size_t band);
+
+/* Translucent members hide nothing. */
+bool csg_hides_others(const struct csg_cull *cull, const struct csg_candidate *candidate);
+
+/* false: out of memory. */
+bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *cull);
+void csg_occluders_finish(struct csg_occluders *occluders);
+
+#endif
