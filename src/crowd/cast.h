@@ -3,8 +3,8 @@
 #define CSG_CROWD_CAST_H
 
 /*
- * What shaders/passes/single.frag.glsl finds, by the CPU and from the same terms, between bounds: each
- * number is off by its rounding at most, there or here.
+ * What shaders/passes/single.frag.glsl finds, by the CPU and from the same terms, between bounds:
+ * each number is off by its rounding at most, there or here.
  */
 
 #include "crowd/crowd.h"
@@ -33,8 +33,8 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
                    const struct csg_cast_rect *rect, float noise);
 
 /*
- * What follows is about num pixels of a row, at most CSG_CAST_LANES, at d = (dx + i, dy) for i = 0 ..
- * num - 1. keys[i] is what is known to hide what is behind it; CSG_CAST_LANES of them can be read.
+ * What follows is about num pixels of a row, at most CSG_CAST_LANES, at d = (dx + i, dy) for
+ * i = 0 .. num - 1. keys[i] is what is known to hide what is behind it; CSG_CAST_LANES of them can be read.
  */
 
 /* Notes what the member certainly hides. */

@@ -101,7 +101,8 @@ static bool plan(struct filler *filler)
     for (size_t i = 0; i < cull->blocks.num; i++) {
         const struct csg_crowd_block *block = &cull->blocks.data[i];
         const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
-        const struct csg_crowd_run run = {class->outline == CSG_OUTLINE_BALL && cull->view.square, class->has_quadric,
+        const bool ball = class->outline == CSG_OUTLINE_BALL && cull->view.square;
+        const struct csg_crowd_run run = {ball, class->has_quadric,
                                           class->num_planes, floats, stride_of(class), 0};
         if (block->class != last && !csg_array_push(&out->runs, run))
             return false;

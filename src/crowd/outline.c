@@ -37,7 +37,8 @@ static double reach_of(const struct csg_vec3 axes[3])
     return most;
 }
 
-static void measure_box(const struct csg_shape *shape, struct csg_outline_ball *ball, double *numbers)
+static void measure_box(const struct csg_shape *shape, struct csg_outline_ball *ball,
+                        double *numbers)
 {
     const struct csg_box *box = &shape->bounds;
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
@@ -65,7 +66,7 @@ static void measure_ellipsoid(const struct csg_map *from_canon, struct csg_outli
     ball->radius = sqrt(sum);
 }
 
-/* Whether the plane is a cap, along both axes; and where it cuts the axis of the cone or cylinder. */
+/* Whether the plane is a cap, along both axes; and where it cuts the axis. */
 static bool find_cap(const struct csg_plane *plane, const struct csg_map *from_canon, double *z)
 {
     const struct csg_vec3 n = plane->normal;
@@ -87,7 +88,8 @@ static double disc_reach(struct csg_vec3 h, struct csg_vec3 a, struct csg_vec3 b
 
 /* x^2 + y^2 <= 1 or <= z^2 between two planes of constant z. */
 static bool measure_discs(const struct csg_shape *shape, const struct csg_quadric *quadric,
-                          const struct csg_map *from_canon, struct csg_outline_ball *ball, double *numbers)
+                          const struct csg_map *from_canon, struct csg_outline_ball *ball,
+                          double *numbers)
 {
     const bool cone = quadric->diag[2] == -1;
     double z[2];

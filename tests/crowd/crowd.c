@@ -91,13 +91,13 @@ static void put_place(struct text *text)
         c, -s, shear, between(-15, 15), s, c, between(-15, 15), between(-15, 15));
 }
 
-/* A crowd of small solids of every kind, most of them hidden, that touch the eye's plane nowhere and
- * everywhere: views are from outside and from within. */
+/* A crowd of small solids of every kind, most of them hidden; some views are from within, and then
+ * many cross the eye's plane. */
 static char *make_dense_scene(void)
 {
     struct text text = {0};
     for (int i = 0; i < NUM_DENSE; i++) {
-        put(&text, "multmatrix([[0.4, 0, %.9g, 0], [0, 0.4, 0, 0], [0, %.9g, 0.4, 0], [0, 0, 0, 1]]) ",
+        put(&text, "multmatrix([[0.4, 0, %.9g, 0], [0, 0.4, 0, 0], [0, %.9g, 0.4, 0]]) ",
             between(-0.2, 0.2), between(-0.2, 0.2));
         put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 360), between(0, 360));
         put_place(&text);

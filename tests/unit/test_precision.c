@@ -26,7 +26,9 @@ static const struct choice choices[] = {
      "cylinder(r = 7, h = 20, center = true); cube(13, center = true); }",
      {40, 30, 20}, {0, 0, 0}, 0, ""},
     {"cube([10, 10, 1e-6]);", {40, 30, 20}, {5, 5, 0}, 1, "thick"},
-    {"cylinder(r = 1e-4, h = 10);", {40, 30, 20}, {0, 0, 5}, 1, "radius of curvature"},
+    /* alone it would cover no pixel's centre, and need nothing */
+    {"difference() { cylinder(r = 1e-4, h = 10); translate([0, 0, 9]) cube(5); }",
+     {40, 30, 20}, {0, 0, 5}, 1, "radius of curvature"},
     {"difference() { sphere(r = 10); sphere(r = 9.99999); }", {40, 30, 20}, {0, 0, 0}, 1, "apart"},
     {"tetrahedron(points = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 0.0004]]);",
      {40, 30, 20}, {0, 0, 0}, 1, "radians"},
