@@ -4,11 +4,14 @@
 
 #include "shader/source.h"
 
+#include <stdio.h>
+
 const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
-    {.slots = 2, .quadrics = false},
-    {.slots = 5, .quadrics = false},
-    {.slots = 2, .quadrics = true},
-    {.slots = 3, .quadrics = true},
+    {.slots = 2, .handed = 2, .quadrics = false},
+    {.slots = 5, .handed = 5, .quadrics = false},
+    {.slots = 2, .handed = 2, .quadrics = true},
+    {.slots = 3, .handed = 3, .quadrics = true},
+    {.slots = 5, .handed = 3, .quadrics = true},
 };
 
 /* Planes of either sense that a slot holds. */
@@ -24,7 +27,8 @@ static int slot_size(const struct csg_chain *chain)
 
 size_t csg_chain_size(const struct csg_chain *chain)
 {
-    return (size_t)(slot_size(chain) * chain->slots);
+    const int rest = chain->slots > chain->handed; /* where the others begin */
+    return (size_t)(slot_size(chain) * chain->handed + rest);
 }
 
 int csg_chain_find(const float *records, const float *end)
@@ -44,68 +48,100 @@ int csg_chain_find(const float *records, const float *end)
     return -1;
 }
 
+/* Texel j of slot i: an expression, in text. */
+struct texel {
+    char text[32];
+};
+
+static struct texel texel_of(const struct csg_chain *chain, int i, int j)
+{
+    const int at = slot_size(chain) * (i < chain->handed ? i : i - chain->handed) + j;
+    struct texel texel;
+    snprintf(texel.text, sizeof texel.text, "csg_%s[%d]", i < chain->handed ? "handed" : "read", at);
+    return texel;
+}
+
+/* Code that reads slots [begin, end) from where p is. */
+static void add_reading(struct csg_text *text, const struct csg_chain *chain, int begin, int end)
+{
+    for (int i = begin; i < end; i++) {
+        csg_text_add(text, "    csg_read_slot(p, object");
+        for (int j = 0; j < 5; j++)
+            csg_text_add(text, ", %s", texel_of(chain, i, j).text);
+        csg_text_add(text, ");\n");
+        if (chain->quadrics)
+            csg_text_add(text, "    csg_read_slot_quadric(p, %s, %s, %s, %s);\n",
+                         texel_of(chain, i, 0).text, texel_of(chain, i, 5).text,
+                         texel_of(chain, i, 6).text, texel_of(chain, i, 7).text);
+    }
+}
+
 static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
 {
-    const int size = slot_size(chain);
+    const int num = slot_size(chain) * chain->handed;
     csg_text_add(text,
-                 "#define CSG_NUM_HANDED %d\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n\n"
-                 "void csg_hand_over(int begin, int end)\n{\n    int p = begin;\n",
-                 size * chain->slots);
-    for (int i = 0; i < chain->slots; i++) {
-        const int at = size * i;
-        csg_text_add(text,
-                     "    csg_hand_slot(p, ivec2(begin, end), csg_handed[%d], csg_handed[%d], "
-                     "csg_handed[%d], csg_handed[%d], csg_handed[%d]);\n",
-                     at, at + 1, at + 2, at + 3, at + 4);
-        if (chain->quadrics)
-            csg_text_add(text,
-                         "    csg_hand_quadric(p, csg_handed[%d], csg_handed[%d], "
-                         "csg_handed[%d], csg_handed[%d]);\n",
-                         at, at + 5, at + 6, at + 7);
-    }
-    csg_text_add(text, "}\n");
+                 "#define CSG_NUM_HANDED %d\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n"
+                 "flat out int csg_rest;\n\n"
+                 "void csg_hand_over(int begin, int end)\n{\n    int p = begin;\n"
+                 "    ivec2 object = ivec2(begin, end);\n",
+                 num);
+    add_reading(text, chain, 0, chain->handed);
+    csg_text_add(text, "    csg_rest = p;\n}\n");
 }
 
 static void add_spans(struct csg_text *text, const struct csg_chain *chain)
 {
-    const int size = slot_size(chain);
     for (int i = 0; i < chain->slots; i++) {
-        const int at = size * i;
-        csg_text_add(text,
-                     "    vec4 h%d = csg_handed[%d];\n"
-                     "    csg_span s%d = csg_chain_planes(h%d, csg_handed[%d], csg_handed[%d], "
-                     "csg_handed[%d], csg_handed[%d], d);\n",
-                     i, at, i, i, at + 1, at + 2, at + 3, at + 4);
+        csg_text_add(text, "    vec4 h%d = %s;\n    csg_span s%d = csg_chain_planes(h%d", i,
+                     texel_of(chain, i, 0).text, i, i);
+        for (int j = 1; j < 5; j++)
+            csg_text_add(text, ", %s", texel_of(chain, i, j).text);
+        csg_text_add(text, ", d);\n");
         if (chain->quadrics)
             csg_text_add(text,
-                         "    csg_clip_quadric(csg_quadric(csg_handed[%d], csg_handed[%d], "
-                         "csg_handed[%d], d), int(h%d.w), s%d);\n",
-                         at + 5, at + 6, at + 7, i, i);
+                         "    csg_clip_quadric(csg_quadric(%s, %s, %s, d), int(h%d.w), s%d);\n",
+                         texel_of(chain, i, 5).text, texel_of(chain, i, 6).text,
+                         texel_of(chain, i, 7).text, i, i);
     }
 }
 
-static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
+/* The slots that no vertex stage has handed over. */
+static void add_rest(struct csg_text *text, const struct csg_chain *chain)
 {
-    const int size = slot_size(chain);
-    csg_text_add(text,
-                 "flat in vec4 csg_handed[%d];\n\n"
-                 "bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place,"
-                 " out bool inside)\n{\n    int begin = object.x;\n    inside = false;\n",
-                 size * chain->slots);
-    add_spans(text, chain);
+    if (chain->slots == chain->handed)
+        return;
+    csg_text_add(text, "    vec4 csg_read[%d];\n    int p = csg_rest;\n",
+                 slot_size(chain) * (chain->slots - chain->handed));
+    add_reading(text, chain, chain->handed, chain->slots);
+}
+
+static void add_search(struct csg_text *text, const struct csg_chain *chain)
+{
     csg_text_add(text, "    k = -CSG_KEY_MAX;\n    for (;;) {\n"
                        "        float r = csg_chain_value(h0, s0, k);\n");
     for (int i = 1; i < chain->slots; i++)
         csg_text_add(text, "        r = csg_chain_next(h%d, s%d, k, r);\n", i, i);
+    csg_text_add(text, "        if (!(r > k))\n            break;\n        k = r;\n"
+                       "        if (k >= csg_screen_key.z)\n            return false;\n    }\n");
+}
+
+static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
+{
     csg_text_add(text,
-                 "        if (!(r > k))\n            break;\n        k = r;\n"
-                 "        if (k >= csg_screen_key.z)\n            return false;\n    }\n"
-                 "    csg_change c = csg_chain_literal(h0, csg_handed[1].w, s0, begin, k);\n");
+                 "flat in vec4 csg_handed[%d];\nflat in int csg_rest;\n\n"
+                 "bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place,"
+                 " out bool inside)\n{\n    int begin = object.x;\n    inside = false;\n",
+                 slot_size(chain) * chain->handed);
+    add_rest(text, chain);
+    add_spans(text, chain);
+    add_search(text, chain);
+    csg_text_add(text, "    csg_change c = csg_chain_literal(h0, %s.w, s0, begin, k);\n",
+                 texel_of(chain, 0, 1).text);
     for (int i = 1; i < chain->slots; i++)
         csg_text_add(text,
-                     "    c = csg_chain_change(h%d, c, csg_chain_literal(h%d, "
-                     "csg_handed[%d].w, s%d, begin, k));\n",
-                     i, i, size * i + 1, i);
+                     "    c = csg_chain_change(h%d, c, csg_chain_literal(h%d, %s.w, s%d, begin, "
+                     "k));\n",
+                     i, i, texel_of(chain, i, 1).text, i);
     csg_text_add(text, "    place = c.place;\n    return true;\n}\n");
 }
 

@@ -200,7 +200,9 @@ struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool 
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN,
                    chain->quadrics ? CSG_FEATURE_QUADRIC : 0);
-    add_file(&vertex, "csg/chain.vert.glsl");
+    add_file(&vertex, "csg/slots.glsl");
+    if (chain->slots > chain->handed)
+        add_file(&fragment, "csg/slots.glsl");
     add_file(&fragment, "csg/chain.glsl");
     csg_source_chain(&vertex, &fragment, chain);
     return finish_geometry(&vertex, &fragment, direct);

@@ -48,10 +48,11 @@ enum csg_feature {
 /* A program for chains, see shaders/csg/chain.glsl. */
 struct csg_chain {
     int slots;     /* solids at most */
+    int handed;    /* ... that the vertex stage reads; fragments read the others */
     bool quadrics; /* whether they may have one */
 };
 
-#define CSG_NUM_CHAINS 4
+#define CSG_NUM_CHAINS 5
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
 /* Flat inputs that its programs take. */
