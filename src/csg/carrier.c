@@ -6,6 +6,7 @@
 
 #include "csg/carrier_index.h"
 #include "csg/object.h"
+#include "csg/plane_table.h"
 #include "mesh/surface.h"
 #include "solids/sample.h"
 
@@ -31,6 +32,7 @@ struct builder {
     CSG_ARRAY(double) plane_rounding; /* of the leaf each carrier came from */
     CSG_ARRAY(double) quadric_rounding;
     struct csg_carrier_index index;
+    struct csg_plane_table planes; /* that were met */
     double radius;              /* of the finite part of the scene */
     CSG_ARRAY(uint32_t) leaves; /* of the object at hand, largest first */
 };
@@ -172,10 +174,13 @@ static int8_t carrier_sheet(const struct csg_shape *shape, const struct csg_quad
 static bool assign_plane(struct builder *builder, const struct csg_plane *plane,
                          const struct extent *extent, bool alone, struct csg_face *face)
 {
-    if (alone || !find_plane(builder, plane, extent, face))
+    if (alone)
         return add_plane(builder, plane, extent, alone, face);
-    builder->carriers->num_shared++;
-    return true;
+    const bool was_met = csg_plane_table_find(&builder->planes, plane, face);
+    const bool is_shared = was_met || find_plane(builder, plane, extent, face);
+    builder->carriers->num_shared += is_shared;
+    return (is_shared || add_plane(builder, plane, extent, alone, face)) &&
+           (was_met || csg_plane_table_add(&builder->planes, plane, face));
 }
 
 struct ranked_plane {
@@ -332,6 +337,7 @@ static bool assign_objects(struct builder *builder, size_t first, size_t last, b
         return false;
     const bool alone =
         builder->leaves.num == 1 && !merges_alone(&builder->scene->leaves[builder->leaves.data[0]]);
+    csg_plane_table_finish(&builder->planes);
     if (!alone && !start_index(builder))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
@@ -406,6 +412,7 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
     if (ok)
         fill_boxes(scene, builder.carriers);
     csg_index_finish(&builder.index);
+    csg_plane_table_finish(&builder.planes);
     free(builder.plane_rounding.data);
     free(builder.quadric_rounding.data);
     free(builder.leaves.data);

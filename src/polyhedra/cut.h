@@ -25,7 +25,7 @@ struct csg_cut_space {
 /* One face after the other; zero-initialise it. */
 struct csg_cutter {
     const struct csg_cut_space *space; /* NULL: that of the points */
-    void *handle; /* of the module, once it was needed */
+    void *handle;                      /* of the module, once it was needed */
     const struct csg_tess_module *module;
     bool was_opened;
     size_t num_guessed; /* faces cut without it: four corners by the shorter diagonal, else a fan */

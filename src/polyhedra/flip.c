@@ -16,7 +16,7 @@ enum { none = -1 };
 /* Half of an edge: the k-th of triangle f is 3 f + k, next to each other counter-clockwise. */
 struct half {
     uint32_t origin;
-    int twin;    /* none: on the outline */
+    int twin;   /* none: on the outline */
     bool waits; /* on the stack, itself or its twin */
 };
 

@@ -18,8 +18,8 @@ struct csg_mesh {
     CSG_ARRAY(struct csg_vec3) points;
     CSG_ARRAY(uint32_t) corners; /* indices of points */
     CSG_ARRAY(struct csg_mesh_face) faces;
-    double size;     /* the largest coordinate */
-    double rounding; /* see struct csg_shape */
+    double size;        /* the largest coordinate */
+    double rounding;    /* see struct csg_shape */
     size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
 

@@ -30,8 +30,7 @@ static bool has_several(const struct csg_walk *walk, const struct siblings *sibl
     int num = 0;
     for (uint32_t i = siblings->begin; i < siblings->end && num < 2;
          i = csg_walk_node(walk, i)->end)
-        num += !csg_is_left_out(walk->builder, i) &&
-               (siblings->counts_empty || has_solid(walk, i));
+        num += !csg_is_left_out(walk->builder, i) && (siblings->counts_empty || has_solid(walk, i));
     return num == 2;
 }
 

@@ -91,5 +91,5 @@ static size_t sweep_polygon(const float (*points)[2], uint32_t num, uint32_t (*t
 }
 
 extern const struct csg_tess_module CSG_TESS_MODULE;
-__attribute__((visibility("default"))) const struct csg_tess_module CSG_TESS_MODULE = {
-    .sweep = sweep_polygon};
+__attribute__((visibility("default")))
+const struct csg_tess_module CSG_TESS_MODULE = {.sweep = sweep_polygon};
