@@ -67,6 +67,5 @@
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
 #define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/program.glsl */
 
-/* Turns of all its loops after which a program gives up. llvmpipe ends them after 65,535, silently;
- * two turns of a record go unseen between two looks at the count. */
-#define CSG_MAX_TURNS 60000
+/* Turns of all loops that llvmpipe grants to a program, see csg/turns.glsl. */
+#define CSG_MAX_TURNS 65535

@@ -89,7 +89,7 @@ bool csg_program_holds(int begin, int end)
     return result;
 }
 
-bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool from_inside)
+bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool from_inside)
 {
     int begin = object.x, end = object.y;
     csg_collect(begin, end, d);

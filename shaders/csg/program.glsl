@@ -8,7 +8,6 @@
 void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_real2 gap)
 {
     int flags = int(head.z), entries = int(head.x), exits = int(head.y);
-    csg_turns += 3 + (entries + 1) / 2 + (exits + 1) / 2; /* a loop turns once more to end */
     span = csg_whole_ray();
     gap = csg_real2(CSG_KEY_MAX);
     csg_clip_planes(p + 1, entries, exits, d, span);
@@ -75,13 +74,12 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
     csg_real stack[CSG_STACK_SIZE];
     int top = 0;
     csg_real result = 0.0;
-    for (int p = begin; p < end && csg_turns < CSG_MAX_TURNS;) {
+    for (int p = begin; p < end;) {
         vec4 head = csg_texel(p);
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
         csg_real value;
         if ((flags & CSG_RECORD_BOUND) != 0) {
-            csg_turns++;
             p = result < head.w || result >= csg_screen_key.z ? end : p + 1;
             continue;
         }
@@ -111,14 +109,13 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
     csg_change stack[CSG_STACK_SIZE];
     int top = 0;
     csg_change result = csg_change(false, false, CSG_RANK_NONE, ivec2(0));
-    for (int p = begin; p < end && csg_turns < CSG_MAX_TURNS;) {
+    for (int p = begin; p < end;) {
         int record = p;
         vec4 head = csg_texel(p);
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
         csg_change value;
         if ((flags & CSG_RECORD_BOUND) != 0) {
-            csg_turns++;
             p = k < head.w ? end : p + 1;
             continue;
         }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One convex leaf's far side, which shows through its front where it is translucent. */
 
-bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
+bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int p = object.x;
     csg_span span;

@@ -3,16 +3,15 @@
 
 /* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. Out of
  * turns, the answer means nothing. */
-bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
+bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;
     k = csg_screen_depth.z;
     inside = false;
     for (;;) {
-        csg_turns += 2;
-        csg_real next = csg_program_next(begin, end, d, k, inside);
-        if (csg_turns >= CSG_MAX_TURNS)
+        if (!csg_may_look(object.z))
             return true;
+        csg_real next = csg_program_next(begin, end, d, k, inside);
         if (!(next > k)) {
             if (inside || k > csg_screen_depth.z)
                 break;

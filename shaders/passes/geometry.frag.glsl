@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Which face is visible in a pixel, and at what key. csg_resolve is the variant's. */
 
-flat in ivec2 csg_object; /* begin, end in the data texture */
+flat in ivec3 csg_object; /* begin, end in the data texture; turns of a look, see csg/turns.glsl */
 
 void main()
 {
@@ -12,7 +12,7 @@ void main()
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
 #if defined(CSG_CAN_GIVE_UP) && !defined(CSG_DIRECT)
-    if (csg_turns >= CSG_MAX_TURNS) {
+    if (csg_has_given_up(csg_object.z)) {
         csg_visible = uvec2(0u, CSG_UNFINISHED);
         gl_FragDepth = 0.0;
         return;

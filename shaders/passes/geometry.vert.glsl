@@ -2,9 +2,9 @@
 /* One instance per object: a rectangle that holds what the object can cover. */
 
 layout(location = 0) in vec4 csg_rect;      /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in ivec2 csg_records;  /* begin, end in the data texture */
+layout(location = 1) in ivec3 csg_records;  /* begin, end in the data texture; turns of a look */
 
-flat out ivec2 csg_object;
+flat out ivec3 csg_object;
 
 void main()
 {

@@ -44,7 +44,6 @@ csg_list csg_surface_list(int p, vec2 d)
     ivec2 place = ivec2(at * grid.z);
     vec4 cell = csg_texel(p + CSG_SURFACE_CELLS + place.y * int(grid.w) + place.x);
     int begin = p + int(cell.x), covers = begin + CSG_TERM_TEXELS * int(cell.y);
-    csg_turns += 2 + int(cell.y) + int(cell.z);
     return csg_list(begin, covers,
                     covers + (CSG_TERM_TEXELS + CSG_SURFACE_EDGES) * int(cell.z), at);
 }

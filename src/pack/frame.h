@@ -18,6 +18,7 @@
 struct csg_instance {
     float rect[4];      /* clip space */
     int32_t records[2]; /* begin, end in the data texture */
+    int32_t turns;      /* of the loops of one look at them, at most; see CSG_MAX_TURNS */
 };
 
 struct csg_draw {

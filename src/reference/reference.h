@@ -47,14 +47,16 @@ struct csg_reference_params {
 /* The ray of a pixel; row 0 is on top. */
 struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y);
 
-/* Fills one pixel of image. false: out of memory. */
-bool csg_reference_pixel(const struct csgcast_scene *scene,
-                         const struct csg_reference_params *params,
-                         const struct csgcast_image *image, int x, int y,
-                         struct csg_ray_scratch *scratch);
+/* The pixels to cast: those of these rows that are wanted (called on any thread), all where NULL. */
+struct csg_reference_part {
+    int first_row, num_rows;
+    bool (*wants)(const void *user, int x, int y);
+    const void *user;
+};
 
+/* Fills these pixels of image on all cores. false: out of memory. */
 bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
-                          const struct csgcast_image *image, const struct csg_log *log);
+                          const struct csg_reference_part *part, const struct csgcast_image *image);
 
 #endif

@@ -1,21 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-#include <pthread.h>
-#include <stdlib.h>
+#include <stdatomic.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "common/parallel.h"
 #include "csg/membership.h"
 #include "reference/reference.h"
-
-#define MAX_THREADS 64
 
 struct job {
     const struct csgcast_scene *scene;
     const struct csg_reference_params *params;
+    const struct csg_reference_part *part;
     const struct csgcast_image *image;
-    int first_row, stride; /* the rows of one thread */
-    double near;           /* where rays start */
-    bool failed;
+    double near; /* where rays start */
+    atomic_bool failed;
 };
 
 static struct csg_vec3 combine(const struct csgcast_frustum *frustum, double x, double y, double z)
@@ -70,12 +67,12 @@ static void blend(float *below, const float above[4])
         below[i] += above[3] * (above[i] - below[i]);
 }
 
-static void overlay(struct job *job, uint8_t layer, const struct csg_ray *ray, double t,
-                    struct csg_ray_scratch *scratch, float *rgba)
+static void overlay(const struct job *job, uint8_t layer, const struct csg_ray *ray, double t,
+                    struct csg_ray_scratch *scratch, bool *failed, float *rgba)
 {
     struct csg_hit hit;
     float color[4];
-    if (!csg_reference_trace(job->scene, layer, ray, scratch, &hit, &job->failed))
+    if (!csg_reference_trace(job->scene, layer, ray, scratch, &hit, failed))
         return;
     if (hit.t > t && layer == CSG_LAYER_BACKGROUND)
         return;
@@ -93,8 +90,9 @@ static double near_of(const struct csgcast_scene *scene, const struct csg_refere
                : csg_eye_near(scene, csg_vec3(eye[0], eye[1], eye[2]));
 }
 
-/* Behind a translucent surface the reference shows the background. */
-static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch)
+/* Behind a translucent surface the reference shows the background. *failed: out of memory. */
+static void cast_pixel(const struct job *job, int x, int y, struct csg_ray_scratch *scratch,
+                       bool *failed)
 {
     const struct csgcast_image *image = job->image;
     struct csg_ray ray = csg_reference_ray(job->params, x, y);
@@ -102,7 +100,7 @@ static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch
     const size_t index = (size_t)y * (size_t)job->params->width + (size_t)x;
     struct csg_hit hit = {.t = INFINITY};
     const bool found =
-        csg_reference_trace(job->scene, CSG_LAYER_MODEL, &ray, scratch, &hit, &job->failed);
+        csg_reference_trace(job->scene, CSG_LAYER_MODEL, &ray, scratch, &hit, failed);
     if (image->z)
         image->z[index] = (float)hit.t;
     if (image->id)
@@ -123,56 +121,34 @@ static void pixel(struct job *job, int x, int y, struct csg_ray_scratch *scratch
         shade(job, &hit, color);
         blend(rgba, color);
     }
-    overlay(job, CSG_LAYER_BACKGROUND, &ray, hit.t, scratch, rgba);
-    overlay(job, CSG_LAYER_HIGHLIGHT, &ray, hit.t, scratch, rgba);
+    overlay(job, CSG_LAYER_BACKGROUND, &ray, hit.t, scratch, failed, rgba);
+    overlay(job, CSG_LAYER_HIGHLIGHT, &ray, hit.t, scratch, failed, rgba);
     if (image->rgba)
         memcpy(image->rgba + 4 * index, rgba, sizeof rgba);
     if (image->rgba8)
         csg_color_bytes(image->rgba8 + 4 * index, rgba, 4);
 }
 
-bool csg_reference_pixel(const struct csgcast_scene *scene,
-                         const struct csg_reference_params *params,
-                         const struct csgcast_image *image, int x, int y,
-                         struct csg_ray_scratch *scratch)
+static void cast_row(void *user, size_t task)
 {
-    struct job job = {
-        .scene = scene, .params = params, .image = image, .near = near_of(scene, params)};
-    pixel(&job, x, y, scratch);
-    return !job.failed;
-}
-
-static void *run(void *argument)
-{
-    struct job *job = argument;
+    struct job *job = user;
+    const struct csg_reference_part *part = job->part;
+    const int y = part->first_row + (int)task;
     struct csg_ray_scratch *scratch = csg_ray_scratch_create();
-    job->failed = !scratch;
-    for (int y = job->first_row; y < job->params->height && !job->failed; y += job->stride)
-        for (int x = 0; x < job->params->width && !job->failed; x++)
-            pixel(job, x, y, scratch);
+    bool failed = !scratch;
+    for (int x = 0; x < job->params->width && !failed; x++)
+        if (!part->wants || part->wants(part->user, x, y))
+            cast_pixel(job, x, y, scratch, &failed);
+    if (failed)
+        atomic_store(&job->failed, true);
     csg_ray_scratch_destroy(scratch);
-    return NULL;
 }
 
 bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
-                          const struct csgcast_image *image, const struct csg_log *log)
+                          const struct csg_reference_part *part, const struct csgcast_image *image)
 {
-    struct job jobs[MAX_THREADS];
-    pthread_t threads[MAX_THREADS];
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    const int num = cores < 1 ? 1 : cores > MAX_THREADS ? MAX_THREADS : (int)cores;
-    bool started[MAX_THREADS] = {false}, failed = false;
-    for (int i = 0; i < num; i++) {
-        jobs[i] = (struct job){scene, params, image, i, num, near_of(scene, params), false};
-        started[i] = i + 1 < num && pthread_create(&threads[i], NULL, run, &jobs[i]) == 0;
-        if (!started[i])
-            run(&jobs[i]);
-    }
-    for (int i = 0; i < num; i++) {
-        if (started[i])
-            pthread_join(threads[i], NULL);
-        failed |= jobs[i].failed;
-    }
-    return !failed || csg_log_memory(log);
+    struct job job = {scene, params, part, image, near_of(scene, params), false};
+    csg_parallel((size_t)part->num_rows, cast_row, &job);
+    return !atomic_load(&job.failed);
 }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "render/direct.h"
-#include "crowd/crowd.h"
-
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "crowd/crowd.h"
+#include "render/direct.h"
+#include "render/turns.h"
 
 /* Structures that get straight-line programs of their own, at most; the others share the loop.
  * Each costs 5 to 100 ms to compile where the driver's disk cache does not know it. */
@@ -361,8 +363,7 @@ static bool add_draws(struct csg_batches *batches, struct choice *choices, size_
 
 /* What the statistics and the passes need to know of all draws. */
 static void note_choice(struct csg_batches *batches, struct csgcast_renderer *renderer,
-                        const struct csg_request *request, const struct choice *choice,
-                        bool is_first)
+                        const struct csg_request *request, struct choice *choice, bool is_first)
 {
     const bool overflowed =
         request->resolver == CSG_RESOLVER_ALGORITHM4 && choice->resolver == CSG_RESOLVER_LOOP;
@@ -371,6 +372,9 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
     renderer->stats.overflowed_objects += overflowed && is_first;
     batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU ||
                             (may_loop && csg_may_give_up(&renderer->frame, &choice->draw));
+    if (may_loop)
+        choice->draw.instance.turns =
+            (int32_t)fmin(csg_turns_of(&renderer->frame, &choice->draw).look, CSG_MAX_TURNS);
 }
 
 /* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */

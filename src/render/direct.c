@@ -3,24 +3,10 @@
 
 #include <math.h>
 
+#include "render/turns.h"
+
 /* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
 #define MAX_LIT 1.5
-
-bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
-{
-    double turns = 0, leaves = 0;
-    for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
-        const float *head = frame->texels.data + 4 * (size_t)p;
-        const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-        const bool surface = flags & CSG_RECORD_SURFACE;
-        const double longest = surface ? (double)head[4 * 2 + 1] : 0;
-        turns += surface ? 5 + longest : 4 + (entries + 1) / 2 + (exits + 1) / 2;
-        leaves += surface ? 1 + longest / 4 : 1;
-        const int terms = entries + exits + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
-        p += 1 + (draw->precise && !surface ? 2 : 1) * terms;
-    }
-    return turns * (4 * leaves + 3) >= CSG_MAX_TURNS;
-}
 
 static void add_rect(float rect[4], const float *other)
 {

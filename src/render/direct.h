@@ -14,9 +14,6 @@ bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct cs
 /* Whether no two draws can cover the same pixel: tiles of one object, or a single draw. */
 bool csg_is_disjoint(const struct csg_frame *frame);
 
-/* Whether a loop program over the draw's records may run out of turns, see CSG_MAX_TURNS. */
-bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw);
-
 /* The rectangle around all draws: lo x, lo y, hi x, hi y in clip space; empty without any. */
 void csg_bound_draws(const struct csg_frame *frame, float rect[4]);
 

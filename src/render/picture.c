@@ -99,7 +99,7 @@ static void point_instances(struct csg_gl *gl, size_t first)
     const size_t size = sizeof(struct csg_instance), base = first * size;
     gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
                             (const void *)(base + offsetof(struct csg_instance, rect)));
-    gl->VertexAttribIPointer(1, 2, GL_INT, (GLsizei)size,
+    gl->VertexAttribIPointer(1, 3, GL_INT, (GLsizei)size, /* turns come behind records */
                              (const void *)(base + offsetof(struct csg_instance, records)));
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);

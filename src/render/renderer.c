@@ -187,8 +187,10 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
     const struct csg_reference_params params = {
         &request.frustum, request.width, request.height, request.scheme, request.view->cut_color};
+    const struct csg_reference_part whole = {.num_rows = request.height};
     const bool ok = renderer->gl ? render_with_gl(renderer, &request)
-                                 : csg_reference_render(scene, &params, image, &renderer->log);
+                                 : csg_reference_render(scene, &params, &whole, image) ||
+                                       csg_log_memory(&renderer->log);
     if (!renderer->gl)
         memcpy(renderer->stats.variants, "reference", sizeof "reference");
     if (ok)

@@ -5,23 +5,32 @@
 #include "reference/reference.h"
 #include "render/renderer.h"
 
+/* A band as the driver keeps it, its lowest row first. */
+struct band {
+    const uint32_t *visible; /* two words a pixel */
+    int width, top;          /* the row of the picture that is its highest */
+    int num_rows;
+};
+
+static bool is_unfinished(const void *user, int x, int y)
+{
+    const struct band *band = user;
+    const size_t row = (size_t)(band->num_rows - 1 - (y - band->top));
+    return band->visible[2 * (row * (size_t)band->width + (size_t)x) + 1] == CSG_UNFINISHED;
+}
+
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,
                          const uint32_t *visible, int first_row, int num_rows)
 {
     const struct csg_reference_params params = {&request->frustum, request->width, request->height,
                                                 request->scheme, request->view->cut_color};
-    struct csg_ray_scratch *scratch = csg_ray_scratch_create();
-    bool ok = scratch != NULL;
-    for (int row = 0; row < num_rows && ok; row++) {
-        const uint32_t *pixels = visible + 2 * (size_t)row * (size_t)request->width;
-        for (int x = 0; x < request->width && ok; x++) {
-            if (pixels[2 * x + 1] != CSG_UNFINISHED)
-                continue;
-            renderer->stats.unfinished_pixels++;
-            ok = csg_reference_pixel(request->scene, &params, request->image, x,
-                                     request->height - 1 - first_row - row, scratch);
-        }
-    }
-    csg_ray_scratch_destroy(scratch);
-    return ok || csg_log_memory(&renderer->log);
+    const struct band band = {visible, request->width, request->height - first_row - num_rows,
+                              num_rows};
+    const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band};
+    size_t num = 0;
+    for (size_t i = 0; i < (size_t)num_rows * (size_t)request->width; i++)
+        num += visible[2 * i + 1] == CSG_UNFINISHED;
+    renderer->stats.unfinished_pixels += num;
+    return num == 0 || csg_reference_render(request->scene, &params, &part, request->image) ||
+           csg_log_memory(&renderer->log);
 }

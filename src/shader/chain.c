@@ -65,7 +65,7 @@ static struct texel texel_of(const struct csg_chain *chain, int i, int j)
 static void add_reading(struct csg_text *text, const struct csg_chain *chain, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
-        csg_text_add(text, "    csg_read_slot(p, object");
+        csg_text_add(text, "    csg_read_slot(p, object.xy");
         for (int j = 0; j < 5; j++)
             csg_text_add(text, ", %s", texel_of(chain, i, j).text);
         csg_text_add(text, ");\n");
@@ -129,7 +129,7 @@ static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
 {
     csg_text_add(text,
                  "flat in vec4 csg_handed[%d];\nflat in int csg_rest;\n\n"
-                 "bool csg_resolve(ivec2 object, vec2 d, out float k, out ivec2 place,"
+                 "bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place,"
                  " out bool inside)\n{\n    int begin = object.x;\n    inside = false;\n",
                  slot_size(chain) * chain->handed);
     add_rest(text, chain);

@@ -220,7 +220,7 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
         csg_text_add(fragment,
                      "flat in vec4 csg_handed[%zu];\n\n"
-                     "bool csg_resolve(ivec2 object, vec2 d, out csg_real k, out ivec2 place,"
+                     "bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place,"
                      " out bool inside)\n{\n    int begin = object.x;\n"
                      "    inside = false;\n%s",
                      parameters.num_handed, code.data ? code.data : "");

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/turns.h"
+
+/* Of csg_program_next's loop around a record and csg_clip_planes' around its planes, which turn once
+ * more to end. */
+static double record_turns(const float *head)
+{
+    const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
+    const double longest = flags & CSG_RECORD_SURFACE ? (double)head[4 * 2 + 1] : 0;
+    return flags & CSG_RECORD_SURFACE ? 3 + longest : 3 + (entries + 1) / 2 + (exits + 1) / 2;
+}
+
+static double record_crossings(const float *head)
+{
+    return (int)head[2] & CSG_RECORD_SURFACE ? 4 + (double)head[4 * 2 + 1] : 4;
+}
+
+/* Texels of a record. */
+static int32_t record_size(const float *head, bool precise)
+{
+    const int flags = (int)head[2];
+    const int32_t terms =
+        (int32_t)head[0] + (int32_t)head[1] + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
+    return 1 + (precise && !(flags & CSG_RECORD_SURFACE) ? 2 : 1) * terms;
+}
+
+struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw)
+{
+    struct csg_turns turns = {2, 3};
+    for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
+        const float *head = frame->texels.data + 4 * (size_t)p;
+        turns.look += record_turns(head);
+        turns.looks += record_crossings(head);
+        p += record_size(head, draw->precise);
+    }
+    return turns;
+}
+
+bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
+{
+    const struct csg_turns turns = csg_turns_of(frame, draw);
+    return turns.look * turns.looks > CSG_MAX_TURNS;
+}

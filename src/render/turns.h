@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_TURNS_H
+#define CSG_RENDER_TURNS_H
+
+/* How long loop programs can run over a draw's records, see shaders/csg/turns.glsl. */
+
+#include "pack/frame.h"
+
+struct csg_turns {
+    double look;  /* turns of all loops in one look at the records, at most */
+    double looks; /* a ray cannot stop more often than it has crossings */
+};
+
+struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw);
+
+/* Whether some pixel may run out of turns. */
+bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw);
+
+#endif
