@@ -269,10 +269,11 @@ static bool has_surface(const struct csg_part *part)
     return false;
 }
 
-enum csg_hull_result csg_part_evaluate(const struct csg_part *part, struct csg_clusters *clusters)
+enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
+                                       struct csg_clusters *clusters)
 {
     enum csg_hull_result result = CSG_HULL_DONE;
-    if (has_surface(part))
+    if (has_surface(part) && !(points_only && is_union(part)))
         return CSG_HULL_FLAT;
     if (!is_union(part))
         return evaluate_cells(part, clusters);

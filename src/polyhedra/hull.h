@@ -22,8 +22,8 @@ enum csg_hull_result {
 enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points);
 
 /*
- * Adds the corners of a convex shape without a quadric. A shape of many planes needs Qhull and is
- * refused without it.
+ * Adds the corners of a convex shape without a quadric, or the points of a surface. A shape of many
+ * planes needs Qhull and is refused without it.
  */
 enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg_points *points);
 

@@ -70,7 +70,7 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
         else
             all = is_cylinder(walk, i);
     if (all && walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN) {
-        ok = csg_part_read(walk, node + 1, end, in_boolean, true, &inner) &&
+        ok = csg_part_read(walk, node + 1, end, in_boolean, CSG_WANT_EXACT, &inner) &&
              (csg_disc_hull(part, &inner, taken) || csg_log_memory(&walk->builder->report->log));
     }
     csg_part_finish(&inner);
@@ -79,17 +79,20 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
 
 /* ---- facets ------------------------------------------------------------------------------- */
 
-/* The convex sets that the solids at [begin, end) are made of. is_there: nothing was reported. */
+/* The sets that the solids at [begin, end) are made of, convex where more than points are wanted.
+ * is_there: nothing was reported. */
 static bool read_clusters(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_t end,
-                          bool in_boolean, struct csg_clusters *clusters, struct origin *origin,
-                          bool *is_there)
+                          bool in_boolean, enum csg_part_wanted wanted,
+                          struct csg_clusters *clusters, struct origin *origin, bool *is_there)
 {
     struct csg_part inner = {0};
     enum csg_hull_result result = CSG_HULL_DONE;
-    bool ok = csg_part_read(walk, begin, end, in_boolean, false, &inner);
+    bool ok = csg_part_read(walk, begin, end, in_boolean, wanted, &inner);
     if (ok) {
         add_origin(origin, &inner);
-        result = inner.is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(&inner, clusters);
+        result = inner.is_too_large
+                     ? CSG_HULL_FLAT
+                     : csg_part_evaluate(&inner, wanted == CSG_WANT_POINTS, clusters);
         *is_there = result == CSG_HULL_DONE;
         ok = report(walk, node, result);
     }
@@ -124,7 +127,7 @@ bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_ar
     if (taken)
         return true;
     bool ok = read_clusters(walk, node, node + 1, csg_walk_node(walk, node)->end, in_boolean,
-                            &clusters, &origin, &is_there);
+                            CSG_WANT_POINTS, &clusters, &origin, &is_there);
     if (ok && is_there && clusters.corners.points.num > 0)
         ok = add_hull(walk, node, &clusters.corners, &origin, part);
     csg_clusters_finish(&clusters);
@@ -220,8 +223,8 @@ bool csg_compound_minkowski(struct csg_walk *walk, uint32_t node, const struct c
         struct csg_clusters operand = {0};
         if (csg_is_left_out(walk->builder, i))
             continue;
-        ok = read_clusters(walk, node, i, csg_walk_node(walk, i)->end, in_boolean, &operand,
-                           &origin, &is_there);
+        ok = read_clusters(walk, node, i, csg_walk_node(walk, i)->end, in_boolean, CSG_WANT_FACETS,
+                           &operand, &origin, &is_there);
         if (ok && is_there)
             ok = add_operand(walk, node, &sum, &operand, &is_there);
         csg_clusters_finish(&operand);

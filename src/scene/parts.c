@@ -108,6 +108,15 @@ static bool place_part(struct reader *reader, struct csg_part *part)
     return true;
 }
 
+/* Whether a difference or intersection is open. */
+static bool is_cut(const struct reader *reader)
+{
+    for (size_t i = 0; i < reader->frames.num; i++)
+        if (reader->frames.data[i].role != CSG_ROLE_UNION)
+            return true;
+    return false;
+}
+
 static bool read_compound(struct reader *reader, uint32_t node)
 {
     struct csg_walk *walk = reader->walk;
@@ -120,10 +129,13 @@ static bool read_compound(struct reader *reader, uint32_t node)
                              ops->name, CSG_PARTS_MAX_DEPTH);
         return add_empty(reader, negated);
     }
+    const bool points_only = walk->points_only;
+    walk->points_only = points_only && !is_cut(reader);
     walk->depth++;
     bool ok = csg_walk_args(walk, node, ops->name, ops->parameters, &args) &&
               ops->compound(walk, node, &args, top_of(reader)->space.in_boolean, &inner);
     walk->depth--;
+    walk->points_only = points_only;
     if (ok && inner.tree.num > 0 && place_part(reader, &inner))
         return csg_part_append(reader->part, &inner, negated) || no_memory(reader);
     csg_part_finish(&inner);
@@ -163,18 +175,21 @@ static bool read_nodes(struct reader *reader, uint32_t begin, uint32_t end)
     return ok;
 }
 
-bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean, bool exact,
-                   struct csg_part *part)
+bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
+                   enum csg_part_wanted wanted, struct csg_part *part)
 {
-    struct reader reader = {.walk = walk, .part = part, .exact = exact};
+    struct reader reader = {.walk = walk, .part = part, .exact = wanted == CSG_WANT_EXACT};
     struct frame root = {.end = end, .role = CSG_ROLE_UNION, .space = csg_space_world};
     const enum csgcast_facets facets = walk->builder->facets;
     root.space.in_boolean = in_boolean;
-    if (!exact)
+    if (!reader.exact)
         walk->builder->facets = CSGCAST_FACETS_AS_WRITTEN;
+    const bool outer_points_only = walk->points_only;
+    walk->points_only = wanted == CSG_WANT_POINTS;
     const bool ok = csg_part_open(part, false) && csg_array_push(&reader.frames, root)
                         ? read_nodes(&reader, begin, end)
                         : no_memory(&reader);
+    walk->points_only = outer_points_only;
     walk->builder->facets = facets;
     free(reader.frames.data);
     return ok;

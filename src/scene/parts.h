@@ -8,12 +8,16 @@
 /* Compounds inside of compounds inside of ... deeper than this are refused. */
 #define CSG_PARTS_MAX_DEPTH 64
 
-/*
- * Reads the union of the solids at [begin, end), neighbours in one node. Unless exact it is made of
- * OpenSCAD's facets: no shape has a quadric, and what cannot be facetted is reported and left out.
- * false, with a message, when memory is out.
- */
-bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean, bool exact,
-                   struct csg_part *part);
+enum csg_part_wanted {
+    CSG_WANT_EXACT,
+    CSG_WANT_FACETS, /* no shape has a quadric; what cannot be facetted is reported and left out */
+    CSG_WANT_POINTS, /* the same, but a mesh that nothing is cut from is only its points: a surface
+                      * that may be open or flat */
+};
+
+/* Reads the union of the solids at [begin, end), neighbours in one node. false, with a message,
+ * when memory is out. */
+bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
+                   enum csg_part_wanted wanted, struct csg_part *part);
 
 #endif

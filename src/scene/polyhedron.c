@@ -108,6 +108,8 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
     enum csg_mesh_result result = CSG_MESH_DONE;
     if (mesh->faces.num == 0)
         return true;
+    if (walk->points_only)
+        return add_surface(mesh, false, part) || csg_log_memory(&walk->builder->report->log);
     if (!csg_mesh_orient(mesh, &gaps))
         return csg_log_memory(&walk->builder->report->log);
     if (gaps.num)

@@ -96,7 +96,7 @@ static bool project(struct projection *projection, uint32_t node, const struct c
     }
     projection->rounding *= csg_space_stretch(projection->space);
     const enum csg_hull_result result =
-        part->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(part, &clusters);
+        part->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(part, false, &clusters);
     bool ok = true;
     if (result == CSG_HULL_DONE)
         ok = add_sets(projection, &clusters);
@@ -119,7 +119,7 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
     bool ok =
         csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
     if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
-        ok = csg_part_read(walk, node + 1, end, space->in_boolean, false, &part) &&
+        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_FACETS, &part) &&
              project(&projection, node, &part);
     csg_drawing_close(drawing, draw);
     csg_part_finish(&part);

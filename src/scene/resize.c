@@ -36,11 +36,11 @@ static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean, dou
     struct csg_part facets = {0};
     struct csg_clusters clusters = {0};
     struct csg_box box = csg_box_empty;
-    bool ok =
-        csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, false, &facets);
+    bool ok = csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean,
+                            CSG_WANT_POINTS, &facets);
     enum csg_hull_result result = CSG_HULL_DONE;
     if (ok)
-        result = facets.is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(&facets, &clusters);
+        result = facets.is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(&facets, true, &clusters);
     for (size_t i = 0; i < clusters.corners.points.num; i++)
         csg_box_extend(&box, clusters.corners.points.data[i]);
     size[0] = box.hi.x - box.lo.x;
@@ -60,7 +60,8 @@ bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_
                          bool in_boolean, struct csg_part *part)
 {
     const struct csg_resize resize = csg_resize_read(args);
-    const bool exact = walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN;
+    const enum csg_part_wanted wanted =
+        walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN ? CSG_WANT_FACETS : CSG_WANT_EXACT;
     struct csg_map map = csg_map_identity;
     double size[3], factors[3];
     bool is_there = false;
@@ -71,7 +72,7 @@ bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_
     csg_resize_factors(resize.newsize, resize.automatic, size, 3, factors);
     for (int i = 0; i < 3; i++)
         map.m[i][i] = factors[i];
-    if (!csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, exact, part))
+    if (!csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, wanted, part))
         return false;
     for (size_t i = 0; i < part->shapes.num; i++) {
         csg_shape_map(&part->shapes.data[i], &map);

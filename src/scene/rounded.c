@@ -118,8 +118,8 @@ bool csg_rounded_hull(struct csg_walk *walk, uint32_t node, bool in_boolean, str
     *taken = false;
     if (walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN || !is_simple(walk, node))
         return true;
-    bool ok =
-        csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, true, &inner);
+    bool ok = csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean,
+                            CSG_WANT_EXACT, &inner);
     if (ok) {
         const size_t first = part->shapes.num;
         enum csg_hull_result result = collect(&inner, &balls, taken);
@@ -228,7 +228,7 @@ static enum csg_hull_result add_sum(const struct csg_part *sphere, const struct 
     if (has_quadrics(other) || other->is_too_large)
         return CSG_HULL_DONE;
     const size_t first = part->shapes.num;
-    enum csg_hull_result result = csg_part_evaluate(other, &clusters);
+    enum csg_hull_result result = csg_part_evaluate(other, false, &clusters);
     if (result == CSG_HULL_DONE)
         result = add_sums(&clusters, &ball, rounding_of(sphere) + rounding_of(other), part, taken);
     set_sagitta(part, first, sphere);

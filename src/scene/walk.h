@@ -10,6 +10,7 @@ struct csg_walk {
     struct csg_builder *builder;
     struct csg_arguments arguments; /* of the node at hand */
     int depth;                      /* of compounds inside of compounds */
+    bool points_only;               /* of what is read only the points matter, as for a hull */
 };
 
 static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk *walk,
