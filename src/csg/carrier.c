@@ -26,6 +26,11 @@ struct extent {
     double rounding;
 };
 
+struct ranked_leaf {
+    double radius;
+    uint32_t leaf;
+};
+
 struct builder {
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
@@ -34,7 +39,8 @@ struct builder {
     struct csg_carrier_index index;
     struct csg_plane_table planes; /* that were met */
     double radius;              /* of the finite part of the scene */
-    CSG_ARRAY(uint32_t) leaves; /* of the object at hand, largest first */
+    double largest_rounding;    /* of the leaves at hand */
+    CSG_ARRAY(struct ranked_leaf) leaves; /* largest first */
 };
 
 static struct extent leaf_extent(const struct builder *builder, uint32_t leaf)
@@ -67,19 +73,54 @@ static double plane_deviation(const struct csg_plane *a, const struct csg_plane 
     return fabs(csg_dot(n, extent->center) - (a->offset - s * b->offset)) + turn * extent->reach;
 }
 
-static bool find_plane(const struct builder *builder, const struct csg_plane *plane,
-                       const struct extent *extent, struct csg_face *face)
+static double alignment(const struct csg_plane *a, const struct csg_plane *b)
+{
+    return csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
+}
+
+/* Of the carriers parallel to like. */
+static bool find_parallel(const struct builder *builder, const struct csg_plane *plane,
+                          const struct csg_plane *like, const struct extent *extent,
+                          struct csg_face *face)
 {
     struct csg_index_probe probe;
-    csg_index_probe_plane(&builder->index, plane, &probe);
+    csg_index_probe_parallel(&builder->index, like, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         const struct csg_plane *carrier = &builder->carriers->planes[i];
-        const double s = csg_dot(plane->normal, carrier->normal) < 0 ? -1 : 1;
+        const double s = alignment(plane, carrier);
         if (plane_deviation(plane, carrier, s, extent) <=
             tolerance(extent, builder->plane_rounding.data[i])) {
             *face = (struct csg_face){i, s < 0};
             return true;
         }
+    }
+    return false;
+}
+
+/* The plane through the middle of the leaf's face that has another one's normal. */
+static struct csg_plane turned_plane(const struct csg_plane *plane, const struct csg_plane *other,
+                                     const struct extent *extent)
+{
+    const double s = alignment(plane, other);
+    const struct csg_vec3 turn = csg_sub(plane->normal, csg_scale(s, other->normal));
+    return (struct csg_plane){other->normal,
+                              s * (plane->offset - csg_dot(turn, extent->center))};
+}
+
+static bool find_plane(const struct builder *builder, const struct csg_plane *plane,
+                       const struct extent *extent, struct csg_face *face)
+{
+    if (find_parallel(builder, plane, plane, extent, face))
+        return true;
+    struct csg_index_probe probe;
+    csg_index_probe_normals(&builder->index, plane, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_plane *carrier = &builder->carriers->planes[i];
+        const struct csg_plane like = turned_plane(plane, carrier, extent);
+        if (plane_deviation(plane, &like, alignment(plane, &like), extent) <=
+                tolerance(extent, builder->largest_rounding) &&
+            find_parallel(builder, plane, &like, extent, face))
+            return true;
     }
     return false;
 }
@@ -243,11 +284,6 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
     return true;
 }
 
-struct ranked_leaf {
-    double radius;
-    uint32_t leaf;
-};
-
 struct ranked_leaves {
     struct ranked_leaf *data;
     size_t num, capacity;
@@ -261,39 +297,37 @@ static int compare_ranked(const void *a, const void *b)
     return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
 }
 
-static bool rank_object(struct ranked_leaves *ranked, const struct builder *builder,
-                        const struct csg_object *object, bool *assigned)
+static bool rank_object(struct builder *builder, const struct csg_object *object, bool *ranked)
 {
     const struct csgcast_scene *scene = builder->scene;
     const struct csg_tree *tree = &scene->trees[object->layer];
     bool ok = true;
     for (uint32_t i = object->begin; i < object->end && ok; i++) {
         const uint32_t leaf = tree->data[i].leaf;
-        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || assigned[leaf])
+        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || ranked[leaf])
             continue;
-        assigned[leaf] = true;
+        ranked[leaf] = true;
         const double radius =
             scene->leaves[leaf].shape.surface ? 0 : leaf_extent(builder, leaf).radius;
-        ok = csg_array_push(ranked, ((struct ranked_leaf){radius, leaf}));
+        ok = csg_array_push(&builder->leaves, ((struct ranked_leaf){radius, leaf}));
     }
     return ok;
 }
 
-/* The objects' leaves that have no carriers yet, the largest first: its faces are the least turned
- * by rounding, so they become the carriers. A surface's faces are small and come last. A leaf can
- * be in two layers; its first object counts. */
-static bool rank_leaves(struct builder *builder, size_t first, size_t last, bool *assigned)
+/* The objects' leaves, the largest first: its faces are the least turned by rounding, so they become
+ * the carriers. A surface's faces are small and come last. A leaf can be in two layers; its first
+ * object counts. */
+static bool rank_leaves(struct builder *builder)
 {
-    struct ranked_leaves ranked = {0};
-    bool ok = true;
-    for (size_t i = first; i < last && ok; i++)
-        ok = rank_object(&ranked, builder, &builder->scene->objects->data[i], assigned);
-    if (ranked.num)
-        qsort(ranked.data, ranked.num, sizeof *ranked.data, compare_ranked);
-    builder->leaves.num = 0;
-    for (size_t i = 0; i < ranked.num && ok; i++)
-        ok = csg_array_push(&builder->leaves, ranked.data[i].leaf);
-    free(ranked.data);
+    const struct csgcast_scene *scene = builder->scene;
+    bool *ranked = calloc(scene->num_leaves + 1, sizeof *ranked);
+    bool ok = ranked && csg_array_reserve(&builder->leaves, scene->num_leaves);
+    for (size_t i = 0; i < scene->objects->num && ok; i++)
+        ok = rank_object(builder, &scene->objects->data[i], ranked);
+    if (ok && builder->leaves.num)
+        qsort(builder->leaves.data, builder->leaves.num, sizeof *builder->leaves.data,
+              compare_ranked);
+    free(ranked);
     return ok;
 }
 
@@ -303,7 +337,7 @@ static bool start_index(struct builder *builder)
 {
     struct csg_box box = csg_box_empty;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct csg_box leaf = csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i]]);
+        const struct csg_box leaf = csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i].leaf]);
         if (csg_box_is_finite(&leaf))
             box = csg_box_union(&box, &leaf);
     }
@@ -311,50 +345,35 @@ static bool start_index(struct builder *builder)
     const struct csg_vec3 center =
         empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
     builder->radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    double slack = 0;
+    double slack = 0, largest = 0;
+    builder->largest_rounding = 0;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const uint32_t leaf = builder->leaves.data[i];
+        const uint32_t leaf = builder->leaves.data[i].leaf;
         const struct extent extent = leaf_extent(builder, leaf);
         const double length = 2 * tolerance(&extent, extent.rounding);
         const double lever = builder->scene->leaves[leaf].shape.surface
                                  ? MAX_LEVER
                                  : builder->radius / extent.radius;
         slack = fmax(slack, length * (1 + fmin(lever, MAX_LEVER)));
+        largest = fmax(largest, length);
+        builder->largest_rounding = fmax(builder->largest_rounding, extent.rounding);
     }
-    return csg_index_start(&builder->index, center, builder->radius, slack);
+    return csg_index_start(&builder->index, center, builder->radius, slack, largest);
 }
 
-/* A surface's own faces may coincide where it touches itself. */
-static bool merges_alone(const struct csg_leaf *leaf)
+/* Coincidence is looked for among all leaves: flush faces of different objects share carriers too, so
+ * that the depth buffer sees equal depths and the first object wins everywhere. */
+static bool assign_all(struct builder *builder)
 {
-    return leaf->shape.surface && leaf->shape.surface->planes.num <= CSG_SHARED_MAX_LEAVES;
-}
-
-/* Objects [first, last): coincidence is looked for among all their leaves. */
-static bool assign_objects(struct builder *builder, size_t first, size_t last, bool *assigned)
-{
-    if (!rank_leaves(builder, first, last, assigned))
+    if (!rank_leaves(builder))
         return false;
     const bool alone =
-        builder->leaves.num == 1 && !merges_alone(&builder->scene->leaves[builder->leaves.data[0]]);
-    csg_plane_table_finish(&builder->planes);
+        builder->leaves.num == 1 &&
+        !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
     if (!alone && !start_index(builder))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
-        if (!assign_leaf(builder, builder->leaves.data[i], alone))
-            return false;
-    return true;
-}
-
-/* Flush faces of different objects share carriers too, so that the depth buffer sees equal depths
- * and the first object wins everywhere; in huge scenes that is not worth its time. */
-static bool assign_all(struct builder *builder, bool *assigned)
-{
-    const size_t num = builder->scene->objects->num;
-    if (builder->scene->num_leaves <= CSG_SHARED_MAX_LEAVES)
-        return assign_objects(builder, 0, num, assigned);
-    for (size_t i = 0; i < num; i++)
-        if (!assign_objects(builder, i, i + 1, assigned))
+        if (!assign_leaf(builder, builder->leaves.data[i].leaf, alone))
             return false;
     return true;
 }
@@ -406,9 +425,8 @@ static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *
 struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
 {
     struct builder builder = {.scene = scene, .carriers = calloc(1, sizeof *builder.carriers)};
-    bool *assigned = calloc(scene->num_leaves + 1, sizeof *assigned);
-    const bool ok = builder.carriers && assigned && allocate(builder.carriers, scene) &&
-                    assign_all(&builder, assigned);
+    const bool ok =
+        builder.carriers && allocate(builder.carriers, scene) && assign_all(&builder);
     if (ok)
         fill_boxes(scene, builder.carriers);
     csg_index_finish(&builder.index);
@@ -416,7 +434,6 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
     free(builder.plane_rounding.data);
     free(builder.quadric_rounding.data);
     free(builder.leaves.data);
-    free(assigned);
     if (ok)
         return builder.carriers;
     csg_carriers_destroy(builder.carriers);

@@ -44,9 +44,6 @@ struct csg_carriers {
  */
 #define CSG_COINCIDENT_RELATIVE 1e-11
 
-/* Scenes with more leaves look for coincidence within each object only. */
-#define CSG_SHARED_MAX_LEAVES 250000
-
 struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene);
 void csg_carriers_destroy(struct csg_carriers *carriers);
 

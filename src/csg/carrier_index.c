@@ -2,6 +2,7 @@
 #include "csg/carrier_index.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #define NO_ENTRY UINT32_MAX
 #define INITIAL_BUCKETS 64
@@ -9,18 +10,25 @@
 /* Side of a cell of directions: faces that coincide over a leaf are turned by far less. */
 #define DIRECTION_CELL (1.0 / 32)
 
-enum { KEY_PLANE, KEY_QUADRIC };
+enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
 
 /* Directions no face of a real model is aligned with. */
 static const struct csg_vec3 generic[2] = {{0.4370160, 0.6180340, 0.6535291},
                                            {0.7236068, -0.5257311, 0.4472136}};
 
+/* Quadrics are told apart by their distances from three points, in radii of the scene from its
+ * center, that have no model's symmetry. */
+static const struct csg_vec3 probes[3] = {
+    {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.1933, -0.6271, -0.3067}};
+
 bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, double radius,
-                     double slack)
+                     double slack, double tolerance)
 {
     index->center = center;
-    index->probe = csg_add(center, csg_scale(radius, csg_vec3(0.3719, 0.2113, 0.5931)));
+    for (int i = 0; i < 3; i++)
+        index->probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     index->cell = fmax(4 * slack, 1e-9 * radius);
+    index->fine = fmax(4 * tolerance, 1e-12 * radius);
     index->entries.num = 0;
     index->buckets.num = 0;
     if (!csg_array_reserve(&index->buckets, INITIAL_BUCKETS))
@@ -53,18 +61,25 @@ static void plane_coordinates(const struct csg_carrier_index *index, const struc
 static void quadric_coordinates(const struct csg_carrier_index *index,
                                 const struct csg_quadric *quadric, double coordinates[3])
 {
-    const double slope = csg_length(csg_quadric_gradient(quadric, index->probe));
-    const double distance =
-        fabs(csg_quadric_value(quadric, index->probe)) / (slope > 0 ? slope : 1);
-    coordinates[0] = coordinates[1] = 0.5;
-    /* f/|grad f| follows a small change of the surface only to first order: wider cells. */
-    coordinates[2] = distance / (8 * index->cell);
+    for (int i = 0; i < 3; i++) {
+        const double slope = csg_length(csg_quadric_gradient(quadric, index->probes[i]));
+        const double distance =
+            fabs(csg_quadric_value(quadric, index->probes[i])) / (slope > 0 ? slope : 1);
+        /* f/|grad f| follows a small change of the surface only to first order: wider cells. */
+        coordinates[i] = distance / (8 * index->cell);
+    }
 }
 
 static int64_t cell_of(double coordinate)
 {
     const double limit = 1e15;
     return (int64_t)floor(fmin(coordinate, limit));
+}
+
+static bool same_key(const struct csg_index_key *a, const struct csg_index_key *b)
+{
+    return a->cell[0] == b->cell[0] && a->cell[1] == b->cell[1] && a->cell[2] == b->cell[2] &&
+           a->kind == b->kind;
 }
 
 static size_t bucket_of(const struct csg_carrier_index *index, const struct csg_index_key *key)
@@ -98,13 +113,10 @@ static bool double_buckets(struct csg_carrier_index *index)
     return true;
 }
 
-static bool add(struct csg_carrier_index *index, int64_t kind, const double coordinates[3],
+static bool add(struct csg_carrier_index *index, struct csg_index_key key, int64_t normal,
                 uint32_t carrier)
 {
-    const struct csg_index_entry entry = {
-        {{cell_of(coordinates[0]), cell_of(coordinates[1]), cell_of(coordinates[2])}, kind},
-        carrier,
-        NO_ENTRY};
+    const struct csg_index_entry entry = {key, normal, carrier, NO_ENTRY};
     if (index->entries.num >= index->buckets.num && !double_buckets(index))
         return false;
     if (!csg_array_push(&index->entries, entry))
@@ -113,12 +125,58 @@ static bool add(struct csg_carrier_index *index, int64_t kind, const double coor
     return true;
 }
 
-bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
-                         uint32_t carrier)
+static struct csg_index_key key_of(int64_t kind, const double coordinates[3])
+{
+    return (struct csg_index_key){
+        {cell_of(coordinates[0]), cell_of(coordinates[1]), cell_of(coordinates[2])}, kind};
+}
+
+static bool is_reversed(struct csg_vec3 n)
+{
+    return n.x != 0 ? n.x < 0 : n.y != 0 ? n.y < 0 : n.z < 0;
+}
+
+/* A number, not 0, of a normal's bits, the same for its reverse. Different ones may share it. */
+static int64_t number_of(struct csg_vec3 n)
+{
+    const double s = is_reversed(n) ? -1 : 1;
+    const double v[3] = {s * n.x + 0.0, s * n.y + 0.0, s * n.z + 0.0}; /* no -0 */
+    uint64_t hash = 0, bits;
+    for (int i = 0; i < 3; i++) {
+        memcpy(&bits, &v[i], sizeof bits);
+        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 31;
+    }
+    return (int64_t)(hash >> 2) + 1;
+}
+
+static double parallel_coordinate(const struct csg_carrier_index *index,
+                                  const struct csg_plane *plane)
+{
+    const double offset = plane->offset - csg_dot(plane->normal, index->center);
+    return (is_reversed(plane->normal) ? -offset : offset) / index->fine;
+}
+
+static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
+                       int64_t normal, uint32_t carrier)
 {
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    return add(index, KEY_PLANE, coordinates, carrier);
+    const struct csg_index_key key = key_of(KEY_NORMAL, coordinates);
+    for (uint32_t i = index->buckets.data[bucket_of(index, &key)]; i != NO_ENTRY;
+         i = index->entries.data[i].next)
+        if (same_key(&index->entries.data[i].key, &key) && index->entries.data[i].normal == normal)
+            return true;
+    return add(index, key, normal, carrier);
+}
+
+bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
+                         uint32_t carrier)
+{
+    const int64_t normal = number_of(plane->normal);
+    const struct csg_index_key key = {
+        {normal, cell_of(parallel_coordinate(index, plane)), 0}, KEY_PARALLEL};
+    return add(index, key, normal, carrier) && add_normal(index, plane, normal, carrier);
 }
 
 bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_quadric *quadric,
@@ -126,7 +184,14 @@ bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_qua
 {
     double coordinates[3];
     quadric_coordinates(index, quadric, coordinates);
-    return add(index, KEY_QUADRIC, coordinates, carrier);
+    return add(index, key_of(KEY_QUADRIC, coordinates), 0, carrier);
+}
+
+/* The neighbour of a coordinate's cell that it is nearer to. */
+static int64_t neighbour_of(double coordinate)
+{
+    const int64_t cell = cell_of(coordinate);
+    return coordinate - floor(coordinate) < 0.5 ? cell - 1 : cell + 1;
 }
 
 /* The face's cell and, in each coordinate, the neighbour it is nearer to. */
@@ -135,9 +200,10 @@ static void start_probe(int64_t kind, const double coordinates[3], struct csg_in
     int64_t near[3], far[3];
     for (int i = 0; i < 3; i++) {
         near[i] = cell_of(coordinates[i]);
-        far[i] = coordinates[i] - floor(coordinates[i]) < 0.5 ? near[i] - 1 : near[i] + 1;
+        far[i] = neighbour_of(coordinates[i]);
     }
     probe->num_keys = 8;
+    probe->without = 0;
     probe->key = -1;
     probe->entry = NO_ENTRY;
     for (int k = 0; k < 8; k++)
@@ -145,12 +211,23 @@ static void start_probe(int64_t kind, const double coordinates[3], struct csg_in
             {k & 1 ? far[0] : near[0], k & 2 ? far[1] : near[1], k & 4 ? far[2] : near[2]}, kind};
 }
 
-void csg_index_probe_plane(const struct csg_carrier_index *index, const struct csg_plane *plane,
-                           struct csg_index_probe *probe)
+void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                              struct csg_index_probe *probe)
+{
+    const double coordinate = parallel_coordinate(index, plane);
+    const int64_t normal = number_of(plane->normal);
+    *probe = (struct csg_index_probe){.num_keys = 2, .key = -1, .entry = NO_ENTRY};
+    probe->keys[0] = (struct csg_index_key){{normal, cell_of(coordinate), 0}, KEY_PARALLEL};
+    probe->keys[1] = (struct csg_index_key){{normal, neighbour_of(coordinate), 0}, KEY_PARALLEL};
+}
+
+void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                             struct csg_index_probe *probe)
 {
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    start_probe(KEY_PLANE, coordinates, probe);
+    start_probe(KEY_NORMAL, coordinates, probe);
+    probe->without = number_of(plane->normal);
 }
 
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
@@ -159,12 +236,6 @@ void csg_index_probe_quadric(const struct csg_carrier_index *index,
     double coordinates[3];
     quadric_coordinates(index, quadric, coordinates);
     start_probe(KEY_QUADRIC, coordinates, probe);
-}
-
-static bool same_key(const struct csg_index_key *a, const struct csg_index_key *b)
-{
-    return a->cell[0] == b->cell[0] && a->cell[1] == b->cell[1] && a->cell[2] == b->cell[2] &&
-           a->kind == b->kind;
 }
 
 uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_probe *probe)
@@ -177,7 +248,8 @@ uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_
         }
         const struct csg_index_entry *entry = &index->entries.data[probe->entry];
         probe->entry = entry->next;
-        if (same_key(&entry->key, &probe->keys[probe->key]))
+        if (same_key(&entry->key, &probe->keys[probe->key]) &&
+            (probe->without == 0 || entry->normal != probe->without))
             return entry->carrier;
     }
 }

@@ -2,7 +2,12 @@
 #ifndef CSG_CSG_CARRIER_INDEX_H
 #define CSG_CSG_CARRIER_INDEX_H
 
-/* A hash over the carriers of one object: finds the few that a face could lie on. */
+/*
+ * A hash over carriers: finds the few that a face could lie on. Planes are kept twice: by their
+ * normal to the last bit and their offset, which parts the thousands of parallel faces of a model
+ * finely, and one for each normal by the place of both in coarse cells, which tells what normals
+ * there are that nearly agree.
+ */
 
 #include <stdint.h>
 
@@ -11,19 +16,21 @@
 
 struct csg_index_key {
     int64_t cell[3];
-    int64_t kind; /* plane or quadric */
+    int64_t kind; /* which of the three */
 };
 
 struct csg_index_entry {
     struct csg_index_key key;
+    int64_t normal; /* of KEY_NORMAL: the number of its bits */
     uint32_t carrier;
     uint32_t next; /* of the same bucket; UINT32_MAX ends */
 };
 
 struct csg_carrier_index {
     struct csg_vec3 center; /* where offsets are measured */
-    struct csg_vec3 probe;  /* where quadrics are measured */
-    double cell;            /* length; two coincident faces differ by less than half of it */
+    struct csg_vec3 probes[3]; /* where quadrics are measured */
+    double cell; /* length; two coincident faces differ by less than half of it, where measured */
+    double fine; /* the same for parallel planes, which differ by as much everywhere */
     CSG_ARRAY(uint32_t) buckets;
     CSG_ARRAY(struct csg_index_entry) entries;
 };
@@ -33,10 +40,12 @@ struct csg_index_probe {
     struct csg_index_key keys[8];
     int num_keys, key;
     uint32_t entry;
+    int64_t without; /* the number of a normal that is not asked for; 0: none */
 };
 
+/* slack: how far coincident faces may be apart where they are measured; tolerance: on the leaf. */
 bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, double radius,
-                     double slack);
+                     double slack, double tolerance);
 void csg_index_finish(struct csg_carrier_index *index);
 
 bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -44,8 +53,12 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
 bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_quadric *quadric,
                            uint32_t carrier);
 
-void csg_index_probe_plane(const struct csg_carrier_index *index, const struct csg_plane *plane,
-                           struct csg_index_probe *probe);
+/* Planes with that normal or its reverse, to the last bit, and nearly that offset. */
+void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                              struct csg_index_probe *probe);
+/* One plane at least of each other normal that a coincident plane could have. */
+void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                             struct csg_index_probe *probe);
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
                              const struct csg_quadric *quadric, struct csg_index_probe *probe);
 

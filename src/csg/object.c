@@ -4,11 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
-{
-    return leaf->box;
-}
-
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
                                           const struct csg_object *object)
 {

@@ -33,7 +33,10 @@ const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
                                           const struct csg_object *object);
 
 /* The box of one leaf in world space. */
-struct csg_box csg_leaf_box(const struct csg_leaf *leaf);
+static inline struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
+{
+    return leaf->box;
+}
 
 /*
  * Conservative boxes of every node's set: a union's box holds its operands' boxes, an
