@@ -146,6 +146,7 @@ static enum csg_cli_exit render_scene(const struct drawing *drawing, const char 
     struct csgcast_image image;
     struct csgcast_frustum frustum;
     enum csg_cli_exit result = CSG_EXIT_FAILED;
+    view.variant = view.variant ? view.variant : "shared"; /* compiling pays for many pictures */
     view.width = view.width ? view.width : DEFAULT_SIZE;
     view.height = view.height ? view.height : DEFAULT_SIZE;
     if (!csgcast_view_resolve(drawing->scene, &view, &frustum) ||

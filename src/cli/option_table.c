@@ -449,7 +449,8 @@ const struct csg_option csg_option_table[] = {
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
     {"variant", 0, REQUIRED, DRAW, "NAME",
-     "force one way to resolve the Boolean; default auto;\n"
+     "force one way to resolve the Boolean; default auto, of render\n"
+     "shared: no program is compiled for this scene alone;\n"
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
      set_variant},

@@ -44,7 +44,7 @@ bool csg_draws_whole(size_t object, const void *user)
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
     if (request->scene->objects->data[object].crowded || request->tile_size ||
-        request->resolver == CSG_RESOLVER_CHAIN)
+        request->resolver == CSG_RESOLVER_CHAIN || (request->shared && structure.num > 1))
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
@@ -113,6 +113,7 @@ static bool can_be_straight(struct chooser *chooser, const struct csg_structure 
                             const struct csg_draw *draw)
 {
     return !draw->around_eye && csg_structure_is_small(structure) &&
+           (structure->num == 1 || !chooser->request->shared) &&
            (chooser->num_straight < MAX_STRAIGHT_PROGRAMS ||
             find_straight(chooser, structure, draw->stiff));
 }

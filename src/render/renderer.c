@@ -122,7 +122,9 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     request->height = view->height ? view->height : 512;
     request->scheme = csg_colorscheme_find(view->colorscheme);
     request->textbook = view->variant && strcmp(view->variant, CSG_TEXTBOOK_NAME) == 0;
-    request->resolver = find_resolver(request->textbook ? NULL : view->variant);
+    request->shared = view->variant && strcmp(view->variant, CSG_SHARED_NAME) == 0;
+    request->resolver =
+        find_resolver(request->textbook || request->shared ? NULL : view->variant);
     if (!request->scheme)
         return argument_error(renderer, "colour scheme", view->colorscheme);
     if (request->resolver == CSG_NUM_RESOLVERS)

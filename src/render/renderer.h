@@ -32,6 +32,7 @@ struct csg_request {
     int width, height;
     int resolver; /* enum csg_resolver, or -1 for the best */
     bool textbook; /* crossings as textbooks have them */
+    bool shared;   /* no straight-line programs but those of single solids */
     int tile_size; /* as in csg_frame_params */
     const struct csgcast_image *image;
 };

@@ -16,6 +16,8 @@ const char *csgcast_variant_name(size_t index)
     if (index == 0)
         return "auto";
     if (index == CSG_NUM_RESOLVERS + 1)
+        return CSG_SHARED_NAME;
+    if (index == CSG_NUM_RESOLVERS + 2)
         return CSG_TEXTBOOK_NAME;
     return index <= CSG_NUM_RESOLVERS ? csg_resolver_names[index - 1] : NULL;
 }

@@ -20,7 +20,11 @@ enum csg_resolver {
     CSG_RESOLVER_CPU                       /* leaves every pixel to the CPU; not a variant */
 };
 
-/* The variant that is no resolver: any of them over CSG_FEATURE_TEXTBOOK. */
+/* The variants that are no resolver. The best of them without programs for one structure: what
+ * compiles is the same for all scenes, and in the driver's cache since the first of them. */
+#define CSG_SHARED_NAME "shared"
+
+/* Any of them over CSG_FEATURE_TEXTBOOK. */
 #define CSG_TEXTBOOK_NAME "textbook"
 
 extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];

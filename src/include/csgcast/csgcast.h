@@ -305,7 +305,9 @@ struct csgcast_view {
 CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
 
 /* The names of the resolvers that can be forced; NULL past the last. All give the same picture but
- * "textbook", a baseline for comparisons: the quadratic formula in world space, in float32. */
+ * "textbook", a baseline for comparisons: the quadratic formula in world space, in float32.
+ * "shared" is for who draws a picture or two of a scene: auto without programs for its structures,
+ * which take some 100 ms each to compile the first time a machine sees them. */
 CSGCAST_API const char *csgcast_variant_name(size_t index);
 
 /* A camera resolved against a scene: what is rendered. All vectors in scene units. */
