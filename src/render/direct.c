@@ -47,17 +47,29 @@ static bool is_simple(const struct csgcast_renderer *renderer, const struct csg_
            !csg_may_give_up(&renderer->frame, draw);
 }
 
-/* Few fragments a pixel. A scene that is edited keeps to one way, so that nothing is compiled. */
+/* Few fragments a pixel. */
 static bool is_thin(const struct csg_frame *frame, const struct csg_request *request)
 {
     float rect[4];
     csg_bound_draws(frame, rect);
     const double width = 0.5 * ((double)rect[2] - (double)rect[0]) * request->width;
     const double height = 0.5 * ((double)rect[3] - (double)rect[1]) * request->height;
-    return !request->scene->keeps_structure && (double)frame->proxy_pixels <= MAX_LIT * width * height;
+    return (double)frame->proxy_pixels <= MAX_LIT * width * height;
 }
 
-bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct csg_request *request)
+/* A scene that is edited keeps to what its first frame was, so that nothing is compiled. */
+static bool is_kept_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    if (!request->scene->keeps_structure)
+        return is_thin(&renderer->frame, request);
+    if (renderer->thin_scene != request->scene) {
+        renderer->thin_scene = request->scene;
+        renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
+    }
+    return renderer->thin;
+}
+
+bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const struct csgcast_image *image = request->image;
     const struct csg_frame *frame = &renderer->frame;
@@ -67,5 +79,5 @@ bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct cs
     for (size_t i = 0; i < frame->draws.num; i++)
         if (!is_simple(renderer, &frame->draws.data[i]))
             return false;
-    return csg_is_disjoint(frame) || is_thin(frame, request);
+    return is_kept_thin(renderer, request) || csg_is_disjoint(frame);
 }

@@ -9,7 +9,7 @@
 
 #include "render/renderer.h"
 
-bool csg_draws_directly(const struct csgcast_renderer *renderer, const struct csg_request *request);
+bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_request *request);
 
 /* Whether no two draws can cover the same pixel: tiles of one object, or a single draw. */
 bool csg_is_disjoint(const struct csg_frame *frame);

@@ -130,7 +130,7 @@ static void bind_instances(const struct csg_picture *picture, const struct csg_b
     const struct csgcast_renderer *renderer = picture->renderer;
     gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER,
-                   batch->run ? renderer->crowd_buffer : renderer->instance_buffer);
+                   batch->run ? renderer->crowd_buffer.id : renderer->instance_buffer.id);
     if (batch->run)
         point_crowd(gl, batch->run);
     else

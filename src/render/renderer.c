@@ -57,9 +57,9 @@ static void finish_gl(struct csgcast_renderer *renderer)
         csg_programs_finish(&renderer->programs);
         csg_targets_finish(&renderer->targets, gl);
         gl->DeleteTextures(1, &renderer->data_texture);
-        gl->DeleteBuffers(1, &renderer->data_buffer);
-        gl->DeleteBuffers(1, &renderer->instance_buffer);
-        gl->DeleteBuffers(1, &renderer->crowd_buffer);
+        gl->DeleteBuffers(1, &renderer->data_buffer.id);
+        gl->DeleteBuffers(1, &renderer->instance_buffer.id);
+        gl->DeleteBuffers(1, &renderer->crowd_buffer.id);
         gl->DeleteVertexArrays(1, &renderer->crowd_array);
         gl->DeleteVertexArrays(1, &renderer->vertex_array);
         gl->DeleteVertexArrays(1, &renderer->empty_array);

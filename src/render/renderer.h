@@ -8,6 +8,12 @@
 
 struct csg_start;
 
+/* One of the driver's, and its size. */
+struct csg_buffer {
+    GLuint id;
+    size_t bytes;
+};
+
 struct csgcast_renderer {
     struct csg_log log;
     struct csg_start *start; /* what makes gl meanwhile; NULL: it is there */
@@ -15,10 +21,13 @@ struct csgcast_renderer {
     bool lost;               /* ... or this: it could not be made */
     struct csg_programs programs;
     struct csg_targets targets;
-    GLuint data_texture, data_buffer; /* the texture is that of the buffer */
+    GLuint data_texture;
+    struct csg_buffer data_buffer; /* its texels */
     int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
-    GLuint vertex_array, instance_buffer, empty_array;
-    GLuint crowd_array, crowd_buffer;
+    GLuint vertex_array, empty_array, crowd_array;
+    struct csg_buffer instance_buffer, crowd_buffer;
+    const struct csgcast_scene *thin_scene; /* an edited scene, and what is_thin said of it first */
+    bool thin;
     struct csg_frame frame;
     struct csgcast_stats stats;
 };

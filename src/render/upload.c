@@ -5,9 +5,21 @@
 #include "render/renderer.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "common/clock.h"
+
+/* What a buffer holds already is written over: nothing is drawn from it any more. */
+static void fill_buffer(struct csg_gl *gl, GLenum target, struct csg_buffer *buffer, size_t bytes,
+                        const void *data)
+{
+    gl->BindBuffer(target, buffer->id);
+    if (bytes <= buffer->bytes) {
+        gl->BufferSubData(target, 0, (GLsizeiptr)bytes, data);
+        return;
+    }
+    gl->BufferData(target, (GLsizeiptr)bytes, data, GL_STREAM_DRAW);
+    buffer->bytes = bytes;
+}
 
 static void ensure_buffers(struct csgcast_renderer *renderer)
 {
@@ -15,9 +27,9 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
     if (renderer->data_texture)
         return;
     gl->GenTextures(1, &renderer->data_texture);
-    gl->GenBuffers(1, &renderer->data_buffer);
-    gl->GenBuffers(1, &renderer->instance_buffer);
-    gl->GenBuffers(1, &renderer->crowd_buffer);
+    gl->GenBuffers(1, &renderer->data_buffer.id);
+    gl->GenBuffers(1, &renderer->instance_buffer.id);
+    gl->GenBuffers(1, &renderer->crowd_buffer.id);
     gl->GenVertexArrays(1, &renderer->vertex_array);
     gl->GenVertexArrays(1, &renderer->crowd_array);
     gl->GenVertexArrays(1, &renderer->empty_array);
@@ -37,11 +49,10 @@ static bool upload_data(struct csgcast_renderer *renderer)
                       frame->texels.num / 4, max_texels);
         return false;
     }
-    gl->BindBuffer(GL_TEXTURE_BUFFER, renderer->data_buffer);
-    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, frame->texels.data, GL_STREAM_DRAW);
+    fill_buffer(gl, GL_TEXTURE_BUFFER, &renderer->data_buffer, bytes, frame->texels.data);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_BUFFER, renderer->data_texture);
-    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, renderer->data_buffer);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, renderer->data_buffer.id);
     renderer->stats.texture_bytes = bytes;
     return true;
 }
@@ -55,17 +66,13 @@ static bool upload_instances(struct csgcast_renderer *renderer)
         return csg_log_memory(&renderer->log);
     for (size_t i = 0; i < num; i++)
         instances[i] = renderer->frame.draws.data[i].instance;
-    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->instance_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(num * sizeof *instances), instances,
-                   GL_STREAM_DRAW);
+    fill_buffer(gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances, instances);
     free(instances);
     const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
     const size_t crowd_bytes = crowd->runs.num ? crowd->instances.num * sizeof(float) : 0;
-    if (crowd_bytes) {
-        gl->BindBuffer(GL_ARRAY_BUFFER, renderer->crowd_buffer);
-        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)crowd_bytes, crowd->instances.data,
-                       GL_STREAM_DRAW);
-    }
+    if (crowd_bytes)
+        fill_buffer(gl, GL_ARRAY_BUFFER, &renderer->crowd_buffer, crowd_bytes,
+                    crowd->instances.data);
     renderer->stats.bytes_uploaded =
         renderer->stats.texture_bytes + num * sizeof *instances + crowd_bytes;
     return true;
