@@ -34,7 +34,8 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
 
 /*
  * What follows is about num pixels of a row, at most CSG_CAST_LANES, at d = (dx + i, dy) for
- * i = 0 .. num - 1. keys[i] is what is known to hide what is behind it; CSG_CAST_LANES of them can be read.
+ * i = 0 .. num - 1. keys[i] is what is known to hide what is behind it; CSG_CAST_LANES of them can
+ * be read.
  */
 
 /* Notes what the member certainly hides. */

@@ -12,9 +12,9 @@
 enum csg_outline {
     CSG_OUTLINE_BALL,      /* center and radius say it all */
     CSG_OUTLINE_ELLIPSOID, /* three conjugate half-axes */
-    CSG_OUTLINE_DISCS,     /* a cylinder or frustum, the hull of its two discs: from the middle to the
-                              upper one's, two conjugate half-axes, and what these are multiplied by
-                              for the lower and for the upper disc */
+    CSG_OUTLINE_DISCS,     /* a cylinder or frustum, the hull of its two discs: from the middle to
+                              the upper one's, two conjugate half-axes, and what these are
+                              multiplied by for the lower and for the upper disc */
     CSG_OUTLINE_BOX        /* three half-edges of a box around the solid; of a box, its own */
 };
 

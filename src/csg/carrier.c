@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "csg/carrier.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,9 +27,10 @@ struct extent {
     double rounding;
 };
 
+/* Leaves within a sixteenth of an octave in size count as equal: what follows goes through large
+ * scenes in the order of their file then, and so of memory, most of the time. */
 struct ranked_leaf {
-    double radius;
-    uint32_t leaf;
+    uint32_t size, leaf;
 };
 
 struct builder {
@@ -284,16 +286,20 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
     return true;
 }
 
-struct ranked_leaves {
-    struct ranked_leaf *data;
-    size_t num, capacity;
-};
+/* Exponent and four bits of the mantissa: grows with the radius, which is not negative. */
+static uint32_t size_of(double radius)
+{
+    const float rounded = (float)fmin(radius, FLT_MAX);
+    uint32_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    return bits >> 19;
+}
 
 static int compare_ranked(const void *a, const void *b)
 {
     const struct ranked_leaf *x = a, *y = b;
-    if (x->radius != y->radius)
-        return x->radius > y->radius ? -1 : 1;
+    if (x->size != y->size)
+        return x->size > y->size ? -1 : 1;
     return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
 }
 
@@ -309,14 +315,14 @@ static bool rank_object(struct builder *builder, const struct csg_object *object
         ranked[leaf] = true;
         const double radius =
             scene->leaves[leaf].shape.surface ? 0 : leaf_extent(builder, leaf).radius;
-        ok = csg_array_push(&builder->leaves, ((struct ranked_leaf){radius, leaf}));
+        ok = csg_array_push(&builder->leaves, ((struct ranked_leaf){size_of(radius), leaf}));
     }
     return ok;
 }
 
-/* The objects' leaves, the largest first: its faces are the least turned by rounding, so they become
- * the carriers. A surface's faces are small and come last. A leaf can be in two layers; its first
- * object counts. */
+/* The objects' leaves, the largest first: its faces are the least turned by rounding, so they
+ * become the carriers. A surface's faces are small and come last. A leaf can be in two layers; its
+ * first object counts. */
 static bool rank_leaves(struct builder *builder)
 {
     const struct csgcast_scene *scene = builder->scene;
@@ -337,7 +343,8 @@ static bool start_index(struct builder *builder)
 {
     struct csg_box box = csg_box_empty;
     for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct csg_box leaf = csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i].leaf]);
+        const struct csg_box leaf =
+            csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i].leaf]);
         if (csg_box_is_finite(&leaf))
             box = csg_box_union(&box, &leaf);
     }
@@ -361,8 +368,8 @@ static bool start_index(struct builder *builder)
     return csg_index_start(&builder->index, center, builder->radius, slack, largest);
 }
 
-/* Coincidence is looked for among all leaves: flush faces of different objects share carriers too, so
- * that the depth buffer sees equal depths and the first object wins everywhere. */
+/* Coincidence is looked for among all leaves: flush faces of different objects share carriers too,
+ * so that the depth buffer sees equal depths and the first object wins everywhere. */
 static bool assign_all(struct builder *builder)
 {
     if (!rank_leaves(builder))

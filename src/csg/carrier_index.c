@@ -16,16 +16,15 @@ enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
 static const struct csg_vec3 generic[2] = {{0.4370160, 0.6180340, 0.6535291},
                                            {0.7236068, -0.5257311, 0.4472136}};
 
-/* Quadrics are told apart by their distances from three points, in radii of the scene from its
+/* Quadrics are told apart by their distances from two points, in radii of the scene from its
  * center, that have no model's symmetry. */
-static const struct csg_vec3 probes[3] = {
-    {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.1933, -0.6271, -0.3067}};
+static const struct csg_vec3 probes[2] = {{0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}};
 
 bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, double radius,
                      double slack, double tolerance)
 {
     index->center = center;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 2; i++)
         index->probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     index->cell = fmax(4 * slack, 1e-9 * radius);
     index->fine = fmax(4 * tolerance, 1e-12 * radius);
@@ -61,7 +60,8 @@ static void plane_coordinates(const struct csg_carrier_index *index, const struc
 static void quadric_coordinates(const struct csg_carrier_index *index,
                                 const struct csg_quadric *quadric, double coordinates[3])
 {
-    for (int i = 0; i < 3; i++) {
+    coordinates[2] = 0.5;
+    for (int i = 0; i < 2; i++) {
         const double slope = csg_length(csg_quadric_gradient(quadric, index->probes[i]));
         const double distance =
             fabs(csg_quadric_value(quadric, index->probes[i])) / (slope > 0 ? slope : 1);
@@ -194,19 +194,20 @@ static int64_t neighbour_of(double coordinate)
     return coordinate - floor(coordinate) < 0.5 ? cell - 1 : cell + 1;
 }
 
-/* The face's cell and, in each coordinate, the neighbour it is nearer to. */
-static void start_probe(int64_t kind, const double coordinates[3], struct csg_index_probe *probe)
+/* The face's cell and, in each of the first num coordinates, the neighbour it is nearer to. */
+static void start_probe(int64_t kind, const double coordinates[3], int num,
+                        struct csg_index_probe *probe)
 {
     int64_t near[3], far[3];
     for (int i = 0; i < 3; i++) {
         near[i] = cell_of(coordinates[i]);
         far[i] = neighbour_of(coordinates[i]);
     }
-    probe->num_keys = 8;
+    probe->num_keys = 1 << num;
     probe->without = 0;
     probe->key = -1;
     probe->entry = NO_ENTRY;
-    for (int k = 0; k < 8; k++)
+    for (int k = 0; k < probe->num_keys; k++)
         probe->keys[k] = (struct csg_index_key){
             {k & 1 ? far[0] : near[0], k & 2 ? far[1] : near[1], k & 4 ? far[2] : near[2]}, kind};
 }
@@ -226,7 +227,7 @@ void csg_index_probe_normals(const struct csg_carrier_index *index, const struct
 {
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    start_probe(KEY_NORMAL, coordinates, probe);
+    start_probe(KEY_NORMAL, coordinates, 3, probe);
     probe->without = number_of(plane->normal);
 }
 
@@ -235,7 +236,7 @@ void csg_index_probe_quadric(const struct csg_carrier_index *index,
 {
     double coordinates[3];
     quadric_coordinates(index, quadric, coordinates);
-    start_probe(KEY_QUADRIC, coordinates, probe);
+    start_probe(KEY_QUADRIC, coordinates, 2, probe);
 }
 
 uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_probe *probe)

@@ -28,7 +28,7 @@ struct csg_index_entry {
 
 struct csg_carrier_index {
     struct csg_vec3 center; /* where offsets are measured */
-    struct csg_vec3 probes[3]; /* where quadrics are measured */
+    struct csg_vec3 probes[2]; /* where quadrics are measured */
     double cell; /* length; two coincident faces differ by less than half of it, where measured */
     double fine; /* the same for parallel planes, which differ by as much everywhere */
     CSG_ARRAY(uint32_t) buckets;

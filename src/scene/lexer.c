@@ -91,7 +91,8 @@ static bool skip_blanks(struct csg_lexer *lexer)
         lexer->at = 3;
     for (;;) {
         while (lexer->at < lexer->size && is(lexer->text[lexer->at], BLANK))
-            move_to(lexer, lexer->at + 1);
+            if (lexer->text[lexer->at++] == '\n')
+                step_over_line(lexer);
         if (peek(lexer, 0) != '/')
             return true;
         if (peek(lexer, 1) == '/')
