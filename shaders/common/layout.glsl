@@ -69,3 +69,6 @@
 
 /* Turns of all loops that llvmpipe grants to a program, see csg/turns.glsl. */
 #define CSG_MAX_TURNS 65535
+
+/* How often one look asks an innermost operand of a union anew, see csg/program.glsl. */
+#define CSG_MAX_AGAIN 3

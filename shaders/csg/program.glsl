@@ -68,13 +68,18 @@ bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, out int face
     return around;
 }
 
-/* The soonest k' >= k at which the tree can be true. */
+/*
+ * The soonest k' >= k at which the tree can be true. What an innermost operand of a union says may
+ * be too soon; while that could be the union's answer it is asked again from there on, so that not
+ * each operand costs a look at all the others.
+ */
 csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
 {
     csg_real stack[CSG_STACK_SIZE];
-    int top = 0;
-    csg_real result = 0.0;
+    int top = 0, group = 0, again = 0;
+    csg_real result = 0.0, at_group = k;
     for (int p = begin; p < end;) {
+        int record = p;
         vec4 head = csg_texel(p);
         int flags = int(head.z);
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
@@ -86,15 +91,27 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
         if ((flags & CSG_RECORD_POP) != 0) {
             value = result;
             result = stack[--top];
+            if (!all && value > at_group && value < result && value < csg_screen_key.z &&
+                again < CSG_MAX_AGAIN) {
+                at_group = value;
+                again++;
+                p = group;
+                continue;
+            }
+            again = CSG_MAX_AGAIN;
+            at_group = k;
             p++;
         } else {
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
             /* In an intersection nothing before what the operands so far ask for can be true. */
-            csg_real at = all && (flags & CSG_RECORD_START) == 0 ? result : k;
+            csg_real at = all && (flags & CSG_RECORD_START) == 0 ? result : at_group;
             value = csg_record_next(p, head, d, at, negated);
         }
-        if ((flags & CSG_RECORD_PUSH) != 0)
+        if ((flags & CSG_RECORD_PUSH) != 0) {
             stack[top++] = result;
+            again = record == group ? again : 0;
+            group = record;
+        }
         if ((flags & CSG_RECORD_START) != 0)
             result = value;
         else

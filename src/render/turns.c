@@ -27,9 +27,16 @@ static int32_t record_size(const float *head, bool precise)
 struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw)
 {
     struct csg_turns turns = {2, 3};
+    double group = 0; /* turns before the innermost operand that is being read */
     for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
         const float *head = frame->texels.data + 4 * (size_t)p;
+        const int flags = (int)head[2];
+        group = flags & CSG_RECORD_PUSH ? turns.look : group;
         turns.look += record_turns(head);
+        if (flags & CSG_RECORD_POP) {
+            turns.look += CSG_MAX_AGAIN * (turns.look - group);
+            group = turns.look;
+        }
         turns.looks += record_crossings(head);
         p += record_size(head, draw->precise);
     }
