@@ -16,13 +16,19 @@ static void add_rect(float rect[4], const float *other)
     }
 }
 
-void csg_bound_draws(const struct csg_frame *frame, float rect[4])
+void csg_bound_object(const struct csg_frame *frame, uint32_t object, float rect[4])
 {
-    const struct csg_frame_crowd *crowd = &frame->crowd;
     rect[0] = rect[1] = 1;
     rect[2] = rect[3] = -1;
     for (size_t i = 0; i < frame->draws.num; i++)
-        add_rect(rect, frame->draws.data[i].instance.rect);
+        if (object == CSG_ANY_OBJECT || frame->draws.data[i].object == object)
+            add_rect(rect, frame->draws.data[i].instance.rect);
+}
+
+void csg_bound_draws(const struct csg_frame *frame, float rect[4])
+{
+    const struct csg_frame_crowd *crowd = &frame->crowd;
+    csg_bound_object(frame, CSG_ANY_OBJECT, rect);
     for (size_t i = 0; i < crowd->runs.num; i++) {
         const struct csg_crowd_run *run = &crowd->runs.data[i];
         for (size_t j = 0; j < run->num; j++)

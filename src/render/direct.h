@@ -17,4 +17,8 @@ bool csg_is_disjoint(const struct csg_frame *frame);
 /* The rectangle around all draws: lo x, lo y, hi x, hi y in clip space; empty without any. */
 void csg_bound_draws(const struct csg_frame *frame, float rect[4]);
 
+/* Of one object's, which is none of a crowd; CSG_ANY_OBJECT: of all but crowds. */
+#define CSG_ANY_OBJECT (UINT32_MAX - 1)
+void csg_bound_object(const struct csg_frame *frame, uint32_t object, float rect[4]);
+
 #endif

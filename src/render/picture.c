@@ -28,10 +28,8 @@ struct round {
     bool rear;        /* the far sides */
     uint8_t paint;    /* without geometry: what is painted so, */
     bool translucent; /* ... and is translucent or not, */
-    uint32_t object;  /* ... this one; ALL_OBJECTS */
+    uint32_t object;  /* ... this one; CSG_ANY_OBJECT */
 };
-
-#define ALL_OBJECTS (UINT32_MAX - 1)
 
 /* Translucent objects come one after the other, as OpenSCAD draws them; more than these together.
  */
@@ -143,7 +141,7 @@ static bool is_in_round(const struct csg_batch *batch, const struct round *round
         return batch->layer == CSG_LAYER_MODEL;
     return batch->paint == round->paint && batch->translucent == round->translucent &&
            (batch->rear || !round->rear) &&
-           (round->object == ALL_OBJECTS || batch->object == round->object);
+           (round->object == CSG_ANY_OBJECT || batch->object == round->object);
 }
 
 static void draw_batches(const struct csg_picture *picture, const struct round *round)
@@ -222,11 +220,15 @@ static int clamp_pixel(double x, int size)
 
 /* Only what is inside of the draws' rectangles needs shading, with a pixel more for the rounding of
  * their corners. false: nothing of the band. */
-static bool set_shaded_part(const struct csg_picture *picture)
+static bool set_shaded_part(const struct csg_picture *picture, const struct round *round)
 {
     const int width = picture->request->width, rows = picture->num_rows;
     const double sx = 0.5 * width, sy = 0.5 * picture->request->height;
-    const float *rect = picture->rect;
+    float rect[4];
+    if (round->overlay)
+        csg_bound_object(&picture->renderer->frame, round->object, rect);
+    else
+        memcpy(rect, picture->rect, sizeof rect);
     const int x0 = clamp_pixel(((double)rect[0] + 1) * sx - 1, width);
     const int x1 = clamp_pixel(((double)rect[2] + 1) * sx + 2, width);
     const int lo = clamp_pixel(((double)rect[1] + 1) * sy - 1 - picture->first_row, rows);
@@ -245,7 +247,7 @@ static void draw_shading(const struct csg_picture *picture, const struct round *
     if (!picture->bytes)
         set_outputs(picture, round);
     clear_outputs(picture, round);
-    if (!set_shaded_part(picture))
+    if (!set_shaded_part(picture, round))
         return;
     gl->DepthFunc(GL_GREATER);
     gl->DepthMask(GL_FALSE);
@@ -298,21 +300,31 @@ static void draw_overlay(const struct csg_picture *picture, const struct csg_bat
     draw_round(picture, &round);
 }
 
-/* Everything of one paint that is not simply opaque, in file order. */
-static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
+static size_t count_overlays(const struct csg_picture *picture, uint8_t paint)
 {
-    uint32_t last = ALL_OBJECTS;
+    uint32_t last = CSG_ANY_OBJECT;
     size_t num = 0;
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
-        num += batch->paint == paint && !is_opaque(batch);
+        if (batch->paint != paint || is_opaque(batch))
+            continue;
+        num += batch->object != last;
+        last = batch->object;
     }
+    return num;
+}
+
+/* Everything of one paint that is not simply opaque, in file order. */
+static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
+{
+    uint32_t last = CSG_ANY_OBJECT;
+    const size_t num = count_overlays(picture, paint);
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
         if (batch->paint != paint || is_opaque(batch) || batch->object == last)
             continue;
         last = batch->object;
-        draw_overlay(picture, batch, num > MAX_OVERLAYS ? ALL_OBJECTS : last);
+        draw_overlay(picture, batch, num > MAX_OVERLAYS ? CSG_ANY_OBJECT : last);
         if (num > MAX_OVERLAYS)
             return;
     }
@@ -343,7 +355,7 @@ static void draw_directly(const struct csg_picture *picture)
 static void draw_band(const struct csg_picture *picture)
 {
     const struct round all = {.geometry = true};
-    const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = ALL_OBJECTS};
+    const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = CSG_ANY_OBJECT};
     bool mixed = false;
     if (picture->batches.direct) {
         draw_directly(picture);
@@ -352,7 +364,8 @@ static void draw_band(const struct csg_picture *picture)
     for (size_t i = 0; i < picture->batches.num; i++)
         mixed |= picture->batches.data[i].layer == CSG_LAYER_MODEL &&
                  !is_opaque(&picture->batches.data[i]);
-    draw_round(picture, &all);
+    if (!mixed || picture->want_geometry || picture->want_leaf || picture->visible)
+        draw_round(picture, &all);
     if (picture->visible)
         read_visible(picture);
     if (mixed)
