@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Normal, colour and light of what is visible. */
 
+#define CSG_HAS_LIGHT
 flat in vec4 csg_lit; /* direction of the light in world space, ambient part */
 
 /* What is visible at pixel d, key k: place is that of its face's normal in the data texture. */

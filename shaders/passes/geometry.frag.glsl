@@ -9,6 +9,10 @@ void main()
     ivec2 place;
     bool inside;
     vec2 d = csg_pixel();
+#ifdef CSG_SHARED
+    if (csg_is_no_number(vec4(csg_object, 0.0)))
+        discard;
+#endif
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
 #if defined(CSG_CAN_GIVE_UP) && !defined(CSG_DIRECT)

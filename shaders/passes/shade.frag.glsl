@@ -2,6 +2,9 @@
 /* Deferred shading: normal and colour of what csg_visible names. */
 
 uniform usampler2DRect csg_visible;
+#ifdef CSG_SHARED
+flat in ivec3 csg_object;
+#endif
 
 layout(location = 0) out vec4 csg_color;
 #ifndef CSG_WANT_BYTES
@@ -13,6 +16,10 @@ layout(location = 2) out vec4 csg_leaf;
 
 void main()
 {
+#ifdef CSG_SHARED
+    if (csg_is_no_number(vec4(csg_object, 0.0)))
+        discard;
+#endif
     uvec2 visible = texelFetch(csg_visible, ivec2(gl_FragCoord.xy)).xy;
     if (visible.y == 0u || visible.y == CSG_UNFINISHED)
         discard; /* cleared to the background, or what an overlay lies on */

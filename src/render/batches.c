@@ -86,11 +86,17 @@ static struct known *find_straight(struct chooser *chooser, const struct csg_str
     return NULL;
 }
 
+static int frame_features(const struct chooser *chooser)
+{
+    return (chooser->direct ? CSG_FEATURE_DIRECT : 0) |
+           (chooser->request->shared ? CSG_FEATURE_SHARED : 0);
+}
+
 static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
     features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
-    features |= chooser->direct ? CSG_FEATURE_DIRECT : 0;
+    features |= frame_features(chooser);
     return csg_programs_get(
         &chooser->renderer->programs,
         csg_source_geometry(resolver, features, structure, chooser->max_handed));
@@ -199,7 +205,7 @@ static GLuint choose_chain(struct chooser *chooser, int chain)
     if (!chooser->chains[chain])
         chooser->chains[chain] =
             csg_programs_get(&chooser->renderer->programs,
-                             csg_source_geometry_chain(&csg_chains[chain], chooser->direct));
+                             csg_source_geometry_chain(&csg_chains[chain], frame_features(chooser)));
     return chooser->chains[chain];
 }
 

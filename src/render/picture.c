@@ -423,8 +423,20 @@ static bool prepare_shading(struct csg_picture *picture)
         return true;
     picture->shade = csg_programs_get(
         &picture->renderer->programs,
-        csg_source_shade(picture->want_leaf, picture->bytes, picture->request->textbook));
+        csg_source_shade(picture->want_leaf, picture->bytes,
+                         (picture->request->textbook ? CSG_FEATURE_TEXTBOOK : 0) |
+                             (picture->request->shared ? CSG_FEATURE_SHARED : 0)));
     return picture->shade != 0;
+}
+
+/* Fewer objects are drawn faster than one more set of inputs is compiled for, see
+ * shaders/common/inputs.glsl. */
+#define MIN_SHARED_CROWD 500
+
+static bool has_crowds(const struct csg_request *request)
+{
+    return request->resolver < 0 && !request->textbook && !request->tile_size &&
+           (!request->shared || request->scene->objects->num >= MIN_SHARED_CROWD);
 }
 
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
@@ -440,7 +452,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .textbook = request->textbook,
         .precise = request->resolver == CSG_RESOLVER_DOUBLE,
         .has_double = renderer->gl->has_double,
-        .crowds = request->resolver < 0 && !request->textbook && !request->tile_size,
+        .crowds = has_crowds(request),
         .tile_size = request->tile_size,
     };
     const double start = csg_clock_ms();
@@ -468,7 +480,7 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
     if (!csg_gl_enter(renderer->gl))
         return;
     picture.shade =
-        csg_programs_get(&renderer->programs, csg_source_shade(false, true, false));
+        csg_programs_get(&renderer->programs, csg_source_shade(false, true, CSG_FEATURE_SHARED));
     if (picture.shade && csg_upload_frame(renderer) &&
         csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, true)) {
         draw_round(&picture, &round);

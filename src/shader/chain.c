@@ -25,10 +25,15 @@ static int slot_size(const struct csg_chain *chain)
     return chain->quadrics ? 8 : 5;
 }
 
+size_t csg_chain_handed(const struct csg_chain *chain)
+{
+    return (size_t)(slot_size(chain) * chain->handed);
+}
+
 size_t csg_chain_size(const struct csg_chain *chain)
 {
-    const int rest = chain->slots > chain->handed; /* where the others begin */
-    return (size_t)(slot_size(chain) * chain->handed + rest);
+    const bool rest = chain->slots > chain->handed; /* where the others begin */
+    return csg_chain_handed(chain) + rest;
 }
 
 int csg_chain_find(const float *records, const float *end)
@@ -81,8 +86,11 @@ static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
     const int num = slot_size(chain) * chain->handed;
     csg_text_add(text,
                  "#define CSG_NUM_HANDED %d\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n"
-                 "flat out int csg_rest;\n\n"
-                 "void csg_hand_over(int begin, int end)\n{\n    int p = begin;\n"
+                 "#define CSG_HAS_REST\nflat out int csg_rest;\n\n"
+                 "void csg_hand_over(int begin, int end)\n{\n"
+                 /* No vertex is below 0. The driver need not know that the first solid's place in
+                  * the chain is 0: it would leave it out, and shared programs are to be alike. */
+                 "    int p = begin + min(gl_VertexID, 0);\n"
                  "    ivec2 object = ivec2(begin, end);\n",
                  num);
     add_reading(text, chain, 0, chain->handed);
@@ -128,7 +136,8 @@ static void add_search(struct csg_text *text, const struct csg_chain *chain)
 static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
 {
     csg_text_add(text,
-                 "flat in vec4 csg_handed[%d];\nflat in int csg_rest;\n\n"
+                 "#define CSG_NUM_HANDED %d\nflat in vec4 csg_handed[CSG_NUM_HANDED];\n"
+                 "#define CSG_HAS_REST\nflat in int csg_rest;\n\n"
                  "bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place,"
                  " out bool inside)\n{\n    int begin = object.x;\n    inside = false;\n",
                  slot_size(chain) * chain->handed);

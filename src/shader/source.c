@@ -177,10 +177,34 @@ static void add_visible(struct csg_text *fragment, bool direct)
     add_file(fragment, "passes/visible.glsl");
 }
 
-static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment,
-                                         bool direct)
+/* The inputs that a shared program has instead of more texels. Behind them come csg_rest and
+ * csg_object, in this order in all programs. */
+static void add_spare(struct csg_text *vertex, struct csg_text *fragment, int features,
+                      size_t num_handed)
 {
-    add_visible(fragment, direct);
+    const size_t num = num_handed <= CSG_SHARED_FEW ? CSG_SHARED_FEW : CSG_SHARED_MANY;
+    const size_t spare = num > num_handed ? num - num_handed : 0;
+    struct csg_text *texts[2] = {vertex, fragment};
+    for (int i = 0; i < 2 && features & CSG_FEATURE_SHARED; i++) {
+        csg_text_add(texts[i], "#define CSG_SHARED\n#define CSG_NUM_SPARE %zu\n", spare);
+        if (spare)
+            csg_text_add(texts[i], "flat %s vec4 csg_spare[CSG_NUM_SPARE];\n", i ? "in" : "out");
+    }
+}
+
+static void add_inputs(struct csg_text *vertex, struct csg_text *fragment, int features)
+{
+    if (!(features & CSG_FEATURE_SHARED))
+        return;
+    add_file(vertex, "common/inputs.vert.glsl");
+    add_file(fragment, "common/inputs.glsl");
+}
+
+static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment,
+                                         int features)
+{
+    add_visible(fragment, features & CSG_FEATURE_DIRECT);
+    add_inputs(vertex, fragment, features);
     add_file(vertex, "passes/geometry.vert.glsl");
     add_file(fragment, "passes/geometry.frag.glsl");
     return finish_stages(vertex, fragment);
@@ -192,12 +216,14 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, resolver, features);
     add_resolver(&fragment, resolver);
+    size_t num_handed = 0;
     if (resolver == CSG_RESOLVER_STRAIGHT)
-        csg_source_straight(&vertex, &fragment, structure, max_handed);
-    return finish_geometry(&vertex, &fragment, features & CSG_FEATURE_DIRECT);
+        num_handed = csg_source_straight(&vertex, &fragment, structure, max_handed);
+    add_spare(&vertex, &fragment, features, num_handed);
+    return finish_geometry(&vertex, &fragment, features);
 }
 
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool direct)
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int features)
 {
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN,
@@ -206,8 +232,9 @@ struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool 
     if (chain->slots > chain->handed)
         add_file(&fragment, "csg/slots.glsl");
     add_file(&fragment, "csg/chain.glsl");
+    add_spare(&vertex, &fragment, features, csg_chain_handed(chain));
     csg_source_chain(&vertex, &fragment, chain);
-    return finish_geometry(&vertex, &fragment, direct);
+    return finish_geometry(&vertex, &fragment, features);
 }
 
 struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct)
@@ -236,12 +263,12 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct
     return finish_stages(&vertex, &fragment);
 }
 
-struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textbook)
+struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features)
 {
+    const bool textbook = features & CSG_FEATURE_TEXTBOOK;
     struct csg_text vertex = {0}, fragment = {0};
     add_preamble(&vertex, 0);
     add_file(&vertex, "common/screen.vert.glsl");
-    add_file(&vertex, "passes/shade.vert.glsl");
     add_preamble(&fragment, 0);
     if (want_leaf)
         csg_text_add(&fragment, "#define CSG_WANT_LEAF\n");
@@ -257,6 +284,9 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textboo
         add_file(&fragment, "solids/textbook.glsl");
     }
     add_file(&fragment, "common/light.glsl");
+    add_spare(&vertex, &fragment, features, 0);
+    add_inputs(&vertex, &fragment, features);
+    add_file(&vertex, "passes/shade.vert.glsl");
     add_file(&fragment, "passes/shade.frag.glsl");
     return finish_stages(&vertex, &fragment);
 }

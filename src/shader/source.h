@@ -39,7 +39,8 @@ enum csg_feature {
     CSG_NUM_FEATURE_SETS = 32,
     /* All of a frame's programs or none: */
     CSG_FEATURE_TEXTBOOK = 32, /* crossings of textbooks */
-    CSG_FEATURE_DIRECT = 64    /* colours, instead of what the shading pass reads */
+    CSG_FEATURE_DIRECT = 64,   /* colours, instead of what the shading pass reads */
+    CSG_FEATURE_SHARED = 128   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */
@@ -59,8 +60,14 @@ struct csg_chain {
 #define CSG_NUM_CHAINS 5
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
-/* Flat inputs that its programs take. */
+/* Flat inputs that its programs take, and those of them in csg_handed. */
 size_t csg_chain_size(const struct csg_chain *chain);
+size_t csg_chain_handed(const struct csg_chain *chain);
+
+/* Shared programs have one of these numbers of inputs for an object's texels; MANY is what
+ * src/render/batches.c allows on llvmpipe. */
+#define CSG_SHARED_FEW 16
+#define CSG_SHARED_MANY 27
 
 /* The smallest chain that these records, texels of a draw, fit; -1: none. */
 int csg_chain_find(const float *records, const float *end);
@@ -100,14 +107,15 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 /* One-solid programs for crowds, see crowd/run.h; direct: as CSG_FEATURE_DIRECT. */
 struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct);
 
-/* The same for a chain. */
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, bool direct);
+/* The same for a chain; features: DIRECT and SHARED. */
+struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int features);
 
-/* The shading pass. */
-struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, bool textbook);
+/* The shading pass; features: TEXTBOOK and SHARED. */
+struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features);
 
-/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
-void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. Returns how many texels are
+ * handed over. */
+size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
                          const struct csg_structure *structure, size_t max_handed);
 
 /* A chain's csg_hand_over, and csg_resolve. */

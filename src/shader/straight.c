@@ -205,8 +205,8 @@ static void add_change(struct csg_text *text, const struct csg_structure *struct
     csg_text_add(text, "    place = r0.place;\n    return true;\n}\n");
 }
 
-void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
-                         const struct csg_structure *structure, size_t max_handed)
+size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+                           const struct csg_structure *structure, size_t max_handed)
 {
     struct leaf_code *leaves = calloc(structure->num, sizeof *leaves);
     struct csg_text handing = {0}, code = {0};
@@ -219,7 +219,7 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
         add_change(&code, structure, leaves);
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
         csg_text_add(fragment,
-                     "flat in vec4 csg_handed[%zu];\n\n"
+                     "#define CSG_NUM_HANDED %zu\nflat in vec4 csg_handed[CSG_NUM_HANDED];\n\n"
                      "bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place,"
                      " out bool inside)\n{\n    int begin = object.x;\n"
                      "    inside = false;\n%s",
@@ -234,4 +234,5 @@ void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
     free(handing.data);
     free(code.data);
     free(leaves);
+    return parameters.num_handed;
 }
