@@ -51,17 +51,35 @@ static double tests_per_pixel(const struct csgcast_stats *stats)
     return stats->proxy_pixels ? (double)stats->solid_tests / (double)stats->proxy_pixels : 0;
 }
 
+/* Toledo and Levy 2004, section 3: the share of the pixels that were drawn without showing anything.
+ * What is hidden by something nearer counts as that, too. */
+static double waste(const struct csgcast_stats *stats)
+{
+    const double drawn = (double)stats->proxy_pixels, shown = (double)stats->hit_pixels;
+    return drawn > shown ? (drawn - shown) / drawn : 0;
+}
+
+static bool is_known(const struct csgcast_stats *stats, const struct row *row)
+{
+    return stats->has_hit_pixels || row->offset != offsetof(struct csgcast_stats, hit_pixels);
+}
+
 void csg_cli_print_stats(FILE *file, const char *renderer, const struct csgcast_stats *stats)
 {
     fprintf(file, "%-18s %s\n%-18s %s\n", "renderer", renderer, "variants", stats->variants);
     for (size_t i = 0; i < NUM_ROWS; i++) {
         const void *value = value_of(stats, &rows[i]);
-        if (rows[i].is_time)
+        if (!is_known(stats, &rows[i]))
+            fprintf(file, "%-18s not counted\n", rows[i].label);
+        else if (rows[i].is_time)
             fprintf(file, "%-18s %.3f\n", rows[i].label, *(const double *)value);
         else
             fprintf(file, "%-18s %zu\n", rows[i].label, *(const size_t *)value);
     }
     fprintf(file, "%-18s %.3f\n", "tests a pixel", tests_per_pixel(stats));
+    if (stats->has_hit_pixels)
+        fprintf(file, "%-18s %.1f %% of the proxy pixels show nothing\n", "waste",
+                100 * waste(stats));
 }
 
 void csg_cli_print_numerics(FILE *file, const struct csgcast_stats *stats)
@@ -79,10 +97,14 @@ void csg_cli_print_stats_json(struct csg_json *json, const struct csgcast_stats 
 {
     for (size_t i = 0; i < NUM_ROWS; i++) {
         const void *value = value_of(stats, &rows[i]);
+        if (!is_known(stats, &rows[i]))
+            continue;
         if (rows[i].is_time)
             csg_json_number(json, rows[i].key, *(const double *)value);
         else
             csg_json_size(json, rows[i].key, *(const size_t *)value);
     }
     csg_json_number(json, "tests_per_pixel", tests_per_pixel(stats));
+    if (stats->has_hit_pixels)
+        csg_json_number(json, "waste", waste(stats));
 }

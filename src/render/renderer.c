@@ -149,7 +149,8 @@ static void count_hits(struct csgcast_renderer *renderer, const struct csg_reque
     const size_t num = (size_t)request->width * (size_t)request->height;
     const struct csgcast_image *image = request->image;
     renderer->stats.hit_pixels = 0;
-    if (!image->id && !image->z)
+    renderer->stats.has_hit_pixels = image->id || image->z;
+    if (!renderer->stats.has_hit_pixels)
         return;
     for (size_t i = 0; i < num; i++)
         renderer->stats.hit_pixels += (image->id && image->id[i] >= 0) ||

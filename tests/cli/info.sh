@@ -38,6 +38,12 @@ expect 0 "what a frame costs" info part.csg --stats
 prints "draw ms"
 prints "tests a pixel      3.000"
 prints "tiles, mixed       0"
+# A disc in its square: 21.5 % (Toledo and Levy 2004, table 1), less where perspective stretches it.
+echo "sphere(10);" >ball.csg
+expect 0 "waste" info ball.csg --stats
+prints "waste              21."
+expect 0 "what is not counted" render ball.csg --stats -o ball.png
+says "hit pixels         not counted"
 if command -v node >/dev/null; then
     "$csgcast" info part.csg --stats --json >out 2>err
     node -e '

@@ -383,7 +383,7 @@ struct csgcast_stats {
     double frame_ms;         /* the whole call */
     size_t objects_drawn;    /* the others are outside the view */
     size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
-    size_t hit_pixels;       /* pixels that show a solid, where z or id was asked for */
+    size_t hit_pixels;       /* pixels that show a solid, where has_hit_pixels */
     size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
     size_t precise_objects;  /* drawn in double, where float does not hold them */
     char numerics[1024];     /* which, and why: a line for each, as many as fit; "": none */
@@ -400,6 +400,7 @@ struct csgcast_stats {
      * filled. All but the scene's are 0 for the reference backend. */
     double load_ms, csg_ms;
     double tile_ms, pack_ms, upload_ms, draw_ms, read_ms;
+    bool has_hit_pixels; /* z or id was asked for, which hit_pixels is counted from */
 };
 
 CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
