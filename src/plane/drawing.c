@@ -46,6 +46,24 @@ bool csg_drawing_add_point(struct csg_drawing *drawing, double x, double y)
     return true;
 }
 
+bool csg_drawing_append_figure(struct csg_drawing *drawing, const struct csg_drawing *from,
+                               const struct csg_figure *figure)
+{
+    bool ok = csg_drawing_add_figure(drawing, figure->rounding);
+    for (size_t i = 0; i < from->contours.num && ok; i++) {
+        const struct csg_contour *contour = &from->contours.data[i];
+        ok = csg_drawing_add_contour(drawing);
+        for (uint32_t k = contour->begin; k < contour->end && ok; k++)
+            ok = csg_drawing_add_point(drawing, from->points.data[k].x, from->points.data[k].y);
+    }
+    if (ok) {
+        struct csg_figure *added = &drawing->figures.data[drawing->figures.num - 1];
+        added->facetted = figure->facetted;
+        added->is_outline = true;
+    }
+    return ok;
+}
+
 double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end)
 {
     double rounding = 0;
@@ -79,6 +97,7 @@ static void map_figure(struct csg_drawing *drawing, struct csg_figure *figure,
                        const struct csg_map *map)
 {
     figure->disc = csg_map_multiply(map, &figure->disc);
+    figure->is_outline = figure->is_outline && csg_map_determinant(map) > 0;
     for (uint32_t i = figure->begin; i < figure->end; i++)
         for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++) {
             struct csg_vec2 *at = &drawing->points.data[j];
@@ -115,8 +134,7 @@ struct csg_box csg_figure_written(const struct csg_drawing *drawing,
     return box;
 }
 
-double csg_contour_twice_area(const struct csg_drawing *drawing,
-                              const struct csg_contour *contour)
+double csg_contour_twice_area(const struct csg_drawing *drawing, const struct csg_contour *contour)
 {
     const struct csg_vec2 *p = drawing->points.data;
     double area = 0;

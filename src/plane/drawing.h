@@ -38,6 +38,7 @@ struct csg_figure {
     uint32_t begin, end; /* of its contours */
     bool is_disc;        /* meant is the ellipse disc; the contour has OpenSCAD's facets */
     bool facetted;       /* the contour stands for an ellipse */
+    bool is_outline;     /* its contours do not cross and have the inside to their left */
     struct csg_map disc; /* from the unit circle about the z axis; z stays */
     double rounding;     /* see struct csg_shape */
 };
@@ -64,6 +65,11 @@ bool csg_drawing_add_figure(struct csg_drawing *drawing, double rounding);
 bool csg_drawing_add_contour(struct csg_drawing *drawing);
 bool csg_drawing_add_point(struct csg_drawing *drawing, double x, double y);
 
+/* Appends a figure, but for its contours, which are those of the first figure of another drawing:
+ * an outline. false: out of memory. */
+bool csg_drawing_append_figure(struct csg_drawing *drawing, const struct csg_drawing *from,
+                               const struct csg_figure *figure);
+
 /* Takes the nodes from that one on away again. Their figures stay, unused. */
 static inline void csg_drawing_cut(struct csg_drawing *drawing, uint32_t node)
 {
@@ -85,8 +91,7 @@ bool csg_drawing_map(struct csg_drawing *drawing, uint32_t begin, uint32_t end,
                      const struct csg_map *map, double stretch);
 
 /* Twice the area of a contour: positive where it runs counterclockwise. */
-double csg_contour_twice_area(const struct csg_drawing *drawing,
-                              const struct csg_contour *contour);
+double csg_contour_twice_area(const struct csg_drawing *drawing, const struct csg_contour *contour);
 
 /* Bounds a figure; z is 0. */
 struct csg_box csg_figure_written(const struct csg_drawing *drawing,

@@ -245,9 +245,27 @@ static bool trace(struct tracer *tracer, struct csg_drawing *drawing, double rou
     return ok;
 }
 
+/* Whether the subtree is one already, perhaps as the only child of only children. */
+static bool is_outline(struct csg_drawing *drawing, uint32_t node)
+{
+    const struct csg_draw_node *nodes = drawing->nodes.data;
+    const uint32_t end = nodes[node].end;
+    uint32_t i = node;
+    while (nodes[i].op != CSG_DRAW_FIGURE && i + 1 < end && nodes[i + 1].end == end)
+        i++;
+    if (nodes[i].op != CSG_DRAW_FIGURE || !drawing->figures.data[nodes[i].figure].is_outline)
+        return false;
+    drawing->nodes.data[node] = nodes[i];
+    drawing->nodes.data[node].end = node + 1;
+    csg_drawing_cut(drawing, node + 1);
+    return true;
+}
+
 enum csg_sweep_result csg_drawing_evaluate(struct csg_drawing *drawing, uint32_t node)
 {
     struct tracer tracer = {0};
+    if (is_outline(drawing, node))
+        return CSG_SWEEP_DONE;
     const uint32_t end = drawing->nodes.data[node].end;
     const double rounding = csg_drawing_rounding(drawing, node, end);
     const bool facetted = csg_drawing_is_facetted(drawing, node, end);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "scene/clip.h"
 #include "scene/build.h"
 
 #include <stdlib.h>
@@ -203,6 +204,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .report = report,
                                   .scene = scene,
                                   .facets = params->facets,
+                                  .clip.is_wanted = params->facets == CSGCAST_FACETS_AS_WRITTEN,
                                   .skip_unsupported = params->skip_unsupported,
                                   .origins = origins,
                                   .handoff = handoff,
@@ -212,6 +214,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);
+    csg_clip_finish(&builder.clip);
     free(builder.meanings);
     free(builder.parts.data);
     return done;

@@ -43,6 +43,15 @@ struct csg_text_state {
     struct csg_fonts *fonts;
 };
 
+struct csg_clip_module;
+
+/* What the first drawing has opened. */
+struct csg_clip_state {
+    bool is_wanted, was_opened;
+    void *handle;
+    const struct csg_clip_module *module; /* NULL: not wanted, or missing */
+};
+
 struct csg_builder {
     const struct csg_document *document;
     struct csg_report *report;
@@ -55,6 +64,7 @@ struct csg_builder {
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
     struct csg_text_state text;
+    struct csg_clip_state clip;
     struct csg_tree parts; /* the trees of the compounds, one behind the other */
 };
 

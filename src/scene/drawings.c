@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "scene/clip.h"
+#include "scene/figures.h"
 #include "scene/transforms.h"
 
 /* A node whose children are being read. */
@@ -10,12 +12,14 @@ struct frame {
     uint32_t node, end; /* in the document */
     uint32_t draw;      /* in the drawing */
     struct csg_space space;
+    struct csg_space own; /* clips: from the children's space to that around */
 };
 
 struct reader {
     struct csg_walk *walk;
     struct csg_drawing *drawing;
     uint32_t first; /* counts, whatever its modifiers are */
+    bool clips;     /* each node is evaluated in its own space, as in OpenSCAD */
     CSG_ARRAY(struct frame) frames;
 };
 
@@ -105,7 +109,8 @@ static bool open_node(struct reader *reader, uint32_t node)
     frame.draw = (uint32_t)reader->drawing->nodes.num;
     frame.space.in_boolean |=
         meaning->role == CSG_ROLE_DIFFERENCE || meaning->role == CSG_ROLE_INTERSECTION;
-    if (!enter_space(reader, node, &frame.space))
+    frame.own = own_space(&frame.space);
+    if (!enter_space(reader, node, reader->clips ? &frame.own : &frame.space))
         return false;
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     if (ops && ops->flatten)
@@ -115,12 +120,34 @@ static bool open_node(struct reader *reader, uint32_t node)
            no_memory(reader);
 }
 
+static bool is_mirrored(const struct csg_space *space)
+{
+    return csg_map_determinant(&space->map) < 0;
+}
+
+/* Several operands become one outline, then what the node maps is mapped. */
+static bool clip_node(struct reader *reader, const struct frame *frame)
+{
+    const struct csg_draw_node *nodes = reader->drawing->nodes.data;
+    const uint32_t first = frame->draw + 1, end = nodes[frame->draw].end;
+    const bool has_several = first < end && nodes[first].end < end;
+    if (has_several && !csg_clip_evaluate(reader->walk, reader->drawing, frame->draw))
+        return false;
+    if (reader->frames.num == 0 || !csg_walk_ops(reader->walk, frame->node)->enter)
+        return true;
+    return place(reader, frame->draw, &frame->own) &&
+           (!is_mirrored(&frame->own) ||
+            csg_clip_evaluate(reader->walk, reader->drawing, frame->draw));
+}
+
 /* Nodes that make a new figure of what is in them do it when all of it is known. */
 static bool close_node(struct reader *reader)
 {
     const struct frame frame = reader->frames.data[--reader->frames.num];
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, frame.node);
     csg_drawing_close(reader->drawing, frame.draw);
+    if (reader->clips && (reader->frames.num == 0 || !ops->flatten))
+        return clip_node(reader, &frame);
     if (reader->frames.num == 0 || !ops->flatten)
         return true;
     struct csg_args args;
@@ -132,10 +159,14 @@ static bool close_node(struct reader *reader)
 static bool read_figure(struct reader *reader, uint32_t node)
 {
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
+    const uint32_t draw = (uint32_t)reader->drawing->nodes.num;
+    const bool is_clean = ops->figure == csg_figure_square || ops->figure == csg_figure_circle;
     struct csg_args args;
     return csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args) &&
            ops->figure(reader->walk, node, &args,
-                       &reader->frames.data[reader->frames.num - 1].space, reader->drawing);
+                       &reader->frames.data[reader->frames.num - 1].space, reader->drawing) &&
+           (!reader->clips || is_clean || reader->drawing->nodes.num == draw ||
+            csg_clip_evaluate(reader->walk, reader->drawing, draw));
 }
 
 static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
@@ -165,9 +196,11 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
 static bool read_from(struct csg_walk *walk, uint32_t node, uint32_t first, bool in_boolean,
                       struct csg_drawing *drawing)
 {
-    struct reader reader = {
-        .walk = walk, .drawing = drawing, .first = first == node ? node : UINT32_MAX};
-    struct frame root = {node, csg_walk_node(walk, node)->end, 0, csg_space_world};
+    struct reader reader = {.walk = walk,
+                            .drawing = drawing,
+                            .first = first == node ? node : UINT32_MAX,
+                            .clips = csg_clip_is_wanted(walk)};
+    struct frame root = {node, csg_walk_node(walk, node)->end, 0, csg_space_world, csg_space_world};
     root.space.in_boolean = in_boolean;
     bool ok = (csg_drawing_open(drawing, CSG_DRAW_UNION) && csg_array_push(&reader.frames, root)) ||
               no_memory(&reader);

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+#
+# csgcast-clip: the module that makes the Booleans of drawings as OpenSCAD does, with Clipper. It is
+# loaded at run time, for --facets=as-written.
+
+find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp)
+find_library(CLIPPER_LIBRARY polyclipping)
+if(NOT CLIPPER_INCLUDE_DIR OR NOT CLIPPER_LIBRARY)
+    message(WARNING "Clipper is not installed: with --facets=as-written drawings will differ from "
+        "OpenSCAD's by its rounding to 2^-16 (Debian: libpolyclipping-dev)")
+    return()
+endif()
+
+add_library(csgcast-clip MODULE ${PROJECT_SOURCE_DIR}/src/clip/clip.cpp)
+target_include_directories(csgcast-clip PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_include_directories(csgcast-clip SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
+target_link_libraries(csgcast-clip PRIVATE ${CLIPPER_LIBRARY})
+csgcast_strict(csgcast-clip)
+set_target_properties(csgcast-clip PROPERTIES PREFIX "")

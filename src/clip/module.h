@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CLIP_MODULE_H
+#define CSG_CLIP_MODULE_H
+
+/*
+ * The border between libcsgcast and csgcast-clip.so, which wraps Clipper (Johnson,
+ * libpolyclipping), with which OpenSCAD 2021.01 makes the Booleans of drawings, on a grid of 2^-16.
+ */
+
+#ifdef __cplusplus
+extern "C" {
+#else
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#endif
+
+enum csg_clip_op { CSG_CLIP_UNION, CSG_CLIP_DIFFERENCE, CSG_CLIP_INTERSECTION };
+
+/* A closed contour. Those of one figure together are what an odd number of them go round. */
+struct csg_clip_path {
+    const double *points; /* x, y, x, y... */
+    size_t num;           /* of points */
+    uint32_t operand;     /* 0, 1, ... in ascending order */
+    uint32_t figure;      /* in ascending order */
+    bool is_outline;      /* the figure's contours do not cross and have the inside to their left */
+};
+
+/* Takes the result, an outline in that sense. false ends it. */
+struct csg_clip_sink {
+    void *user;
+    bool (*begin_contour)(void *user);
+    bool (*add_point)(void *user, double x, double y);
+};
+
+enum csg_clip_result {
+    CSG_CLIP_DONE,
+    CSG_CLIP_TOO_LARGE, /* coordinates beyond Clipper's grid: nothing was made */
+    CSG_CLIP_NO_MEMORY, /* or ended by the sink */
+};
+
+struct csg_clip_module {
+    /* Of num_operands operands, some of which may have no paths; a single one is only cleaned. */
+    enum csg_clip_result (*combine)(enum csg_clip_op op, uint32_t num_operands,
+                                    const struct csg_clip_path *paths, size_t num_paths,
+                                    const struct csg_clip_sink *sink);
+};
+
+/* The module's one symbol, a const struct csg_clip_module, named with the version of this border.
+ */
+#define CSG_CLIP_MODULE csg_clip_module_1
+#define CSG_CLIP_MODULE_NAME "csg_clip_module_1"
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

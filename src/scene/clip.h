@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_CLIP_H
+#define CSG_SCENE_CLIP_H
+
+#include "plane/drawing.h"
+#include "scene/walk.h"
+
+/*
+ * Booleans of drawings with OpenSCAD's vertices, where those are wanted (--facets=as-written):
+ * evaluated node by node with Clipper, on its grid.
+ */
+
+/* Whether they are wanted, and csgcast-clip.so is there. */
+bool csg_clip_is_wanted(struct csg_walk *walk);
+
+/* Replaces the subtree at node, the last of the drawing, by one figure, an outline. Each of its
+ * children is an operand. false, with a message, when memory is out. */
+bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node);
+
+void csg_clip_finish(struct csg_clip_state *state);
+
+#endif
