@@ -8,6 +8,9 @@
 /* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
 #define MAX_LIT 1.5
 
+/* llvmpipe runs blocks of 4 x 4 fragments: what a rectangle has of them beyond its edges. */
+#define EDGE_FRAGMENTS 16
+
 static void add_rect(float rect[4], const float *other)
 {
     for (int i = 0; i < 2; i++) {
@@ -36,11 +39,17 @@ void csg_bound_draws(const struct csg_frame *frame, float rect[4])
     }
 }
 
-bool csg_is_disjoint(const struct csg_frame *frame)
+static size_t count_crowd(const struct csg_frame *frame)
 {
     size_t num = 0;
     for (size_t i = 0; i < frame->crowd.runs.num; i++)
         num += frame->crowd.runs.data[i].num;
+    return num;
+}
+
+bool csg_is_disjoint(const struct csg_frame *frame)
+{
+    size_t num = count_crowd(frame);
     for (size_t i = 0; i < frame->draws.num; i++)
         num += i == 0 || frame->draws.data[i].object != frame->draws.data[i - 1].object;
     return num <= 1;
@@ -60,7 +69,8 @@ static bool is_thin(const struct csg_frame *frame, const struct csg_request *req
     csg_bound_draws(frame, rect);
     const double width = 0.5 * ((double)rect[2] - (double)rect[0]) * request->width;
     const double height = 0.5 * ((double)rect[3] - (double)rect[1]) * request->height;
-    return (double)frame->proxy_pixels <= MAX_LIT * width * height;
+    const size_t num = count_crowd(frame) + frame->draws.num;
+    return (double)(frame->proxy_pixels + EDGE_FRAGMENTS * num) <= MAX_LIT * width * height;
 }
 
 /* A scene that is edited keeps to what its first frame was, so that nothing is compiled. */
