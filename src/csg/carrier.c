@@ -35,6 +35,7 @@ struct ranked_leaf {
 
 struct builder {
     const struct csgcast_scene *scene;
+    const struct csg_carriers_before *before; /* may be NULL */
     struct csg_carriers *carriers;
     CSG_ARRAY(double) plane_rounding; /* of the leaf each carrier came from */
     CSG_ARRAY(double) quadric_rounding;
@@ -156,9 +157,27 @@ static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec
     return num_points >= 9;
 }
 
-static bool find_quadric(const struct builder *builder, const struct csg_shape *shape,
+/* Whether the leaf lay on the carrier before, with nothing changed that decides it: of a leaf without
+ * bounds the whole scene does. */
+static bool was_on(const struct builder *builder, uint32_t leaf, const struct extent *extent,
+                   uint32_t carrier, struct csg_face *face)
+{
+    const struct csg_carriers_before *before = builder->before;
+    if (!before || before->changed[leaf] || !isfinite(extent->radius))
+        return false;
+    const struct csg_face was = before->carriers->quadric_faces[leaf];
+    const uint32_t owner = builder->carriers->quadric_leaves[carrier];
+    if (was.carrier == CSG_NO_CARRIER || before->changed[owner] ||
+        before->carriers->quadric_leaves[was.carrier] != owner)
+        return false;
+    *face = (struct csg_face){carrier, was.flipped};
+    return true;
+}
+
+static bool find_quadric(const struct builder *builder, uint32_t leaf,
                          const struct extent *extent, struct csg_face *face)
 {
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     struct csg_vec3 points[CSG_NUM_SAMPLES];
     size_t num_points = 0;
     struct csg_index_probe probe;
@@ -167,6 +186,8 @@ static bool find_quadric(const struct builder *builder, const struct csg_shape *
         const struct csg_quadric *carrier = &builder->carriers->quadrics[i];
         if (!same_class(&shape->quadric, carrier))
             continue;
+        if (was_on(builder, leaf, extent, i, face))
+            return true;
         if (!num_points)
             num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
         if (same_surface(carrier, points, num_points,
@@ -196,13 +217,15 @@ static bool add_plane(struct builder *builder, const struct csg_plane *plane,
            (alone || csg_index_add_plane(&builder->index, plane, face->carrier));
 }
 
-static bool add_quadric(struct builder *builder, const struct csg_quadric *quadric,
-                        const struct extent *extent, bool alone, struct csg_face *face)
+static bool add_quadric(struct builder *builder, uint32_t leaf, const struct extent *extent,
+                        bool alone, struct csg_face *face)
 {
     struct csg_carriers *carriers = builder->carriers;
+    const struct csg_quadric *quadric = &builder->scene->leaves[leaf].shape.quadric;
     *face = (struct csg_face){(uint32_t)carriers->num_quadrics, false};
     return push_carrier(carriers, quadrics, *quadric) &&
            push_carrier(carriers, quadric_boxes, csg_box_empty) &&
+           push_carrier(carriers, quadric_leaves, leaf) &&
            csg_array_push(&builder->quadric_rounding, extent->rounding) &&
            (alone || csg_index_add_quadric(&builder->index, quadric, face->carrier));
 }
@@ -278,9 +301,9 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
     if (!shape->has_quadric)
         return true;
     struct csg_face *face = &carriers->quadric_faces[leaf];
-    if (!alone && find_quadric(builder, shape, &extent, face))
+    if (!alone && find_quadric(builder, leaf, &extent, face))
         carriers->num_shared++;
-    else if (!add_quadric(builder, &shape->quadric, &extent, alone, face))
+    else if (!add_quadric(builder, leaf, &extent, alone, face))
         return false;
     carriers->sheets[leaf] = carrier_sheet(shape, &carriers->quadrics[face->carrier]);
     return true;
@@ -429,9 +452,11 @@ static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *
     return true;
 }
 
-struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene)
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
+                                         const struct csg_carriers_before *before)
 {
-    struct builder builder = {.scene = scene, .carriers = calloc(1, sizeof *builder.carriers)};
+    struct builder builder = {
+        .scene = scene, .before = before, .carriers = calloc(1, sizeof *builder.carriers)};
     const bool ok =
         builder.carriers && allocate(builder.carriers, scene) && assign_all(&builder);
     if (ok)
@@ -454,6 +479,7 @@ void csg_carriers_destroy(struct csg_carriers *carriers)
     free(carriers->planes);
     free(carriers->quadrics);
     free(carriers->quadric_boxes);
+    free(carriers->quadric_leaves);
     free(carriers->face_begin);
     free(carriers->faces);
     free(carriers->quadric_faces);

@@ -27,6 +27,8 @@ struct csg_carriers {
     size_t planes_capacity, quadrics_capacity;
     struct csg_box *quadric_boxes; /* of what can be seen of them, world space */
     size_t quadric_boxes_capacity, num_quadric_boxes;
+    uint32_t *quadric_leaves; /* from which leaf each quadric is */
+    size_t quadric_leaves_capacity, num_quadric_leaves;
     size_t num_shared; /* faces that found an earlier face's carrier */
 
     uint32_t *face_begin;           /* num_leaves + 1: leaf's plane faces in faces[] */
@@ -44,7 +46,16 @@ struct csg_carriers {
  */
 #define CSG_COINCIDENT_RELATIVE 1e-11
 
-struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene);
+/* What an edit knows of the scene before it: whether two quadrics coincide needs no measuring where
+ * neither leaf has changed. */
+struct csg_carriers_before {
+    const struct csg_carriers *carriers;
+    const uint32_t *changed; /* by leaf: not 0 where it has */
+};
+
+/* before: NULL where there is none. The result does not depend on it. NULL: out of memory. */
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
+                                         const struct csg_carriers_before *before);
 void csg_carriers_destroy(struct csg_carriers *carriers);
 
 #endif

@@ -27,6 +27,7 @@ static bool is_same(const struct csg_plane *a, const struct csg_plane *b)
            a->offset == b->offset;
 }
 
+/* Offsets of few digits differ in a double's highest bits only: they must reach the lowest ones. */
 static size_t hash_of(const struct csg_plane *plane)
 {
     const double numbers[4] = {plane->normal.x, plane->normal.y, plane->normal.z, plane->offset};
@@ -34,8 +35,9 @@ static size_t hash_of(const struct csg_plane *plane)
     for (int i = 0; i < 4; i++) {
         uint64_t bits;
         memcpy(&bits, &numbers[i], sizeof bits);
-        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
+        hash ^= bits;
+        hash = (hash ^ (hash >> 32)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
     }
     return (size_t)hash;
 }

@@ -194,7 +194,7 @@ static void fill_leaf_boxes(struct csgcast_scene *scene)
     }
 }
 
-static bool finish(struct csgcast_scene *scene)
+static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
 {
     fill_leaf_boxes(scene);
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
@@ -212,7 +212,7 @@ static bool finish(struct csgcast_scene *scene)
     scene->objects = calloc(1, sizeof *scene->objects);
     if (!scene->objects || !csg_objects_split(scene, scene->objects))
         return false;
-    scene->carriers = csg_carriers_create(scene);
+    scene->carriers = csg_carriers_create(scene, before);
     scene->plan = csg_plan_create(scene);
     scene->sharpness = scene->carriers ? csg_sharpness_create(scene) : NULL;
     if (!scene->sharpness || !scene->plan)
@@ -224,10 +224,10 @@ static bool finish(struct csgcast_scene *scene)
     return true;
 }
 
-bool csg_scene_finish(struct csgcast_scene *scene)
+bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
 {
     const double start = csg_clock_ms();
-    const bool ok = finish(scene) || csg_log_memory(&scene->log);
+    const bool ok = finish(scene, before) || csg_log_memory(&scene->log);
     scene->csg_ms = csg_clock_ms() - start;
     return ok;
 }

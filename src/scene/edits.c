@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edits.h"
+#include "csg/carrier.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,7 @@ static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edit
 
 bool csg_edits_refinish(struct csgcast_scene *scene)
 {
+    const struct csg_carriers_before before = {scene->carriers, scene->edits->patches};
     struct csgcast_scene next = *scene;
     next.objects = NULL;
     next.carriers = NULL;
@@ -69,7 +71,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
     memset(next.trees, 0, sizeof next.trees);
     next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped};
     next.keeps_structure = true;
-    if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next)) {
+    if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next, &before)) {
         csg_scene_drop_derived(&next);
         return csg_log_memory(&scene->log);
     }

@@ -140,7 +140,7 @@ static struct csgcast_scene *parse_own(char *text, size_t size,
     }
     scene->keeps_structure = params->editable;
     scene->source = csg_source_create(text, size, params);
-    if (scene->source ? csg_scene_finish(scene) : csg_log_memory(&scene->log))
+    if (scene->source ? csg_scene_finish(scene, NULL) : csg_log_memory(&scene->log))
         return scene;
     csgcast_scene_destroy(scene);
     return NULL;
