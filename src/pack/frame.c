@@ -2,19 +2,21 @@
 #include "pack/frame.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/clock.h"
 #include "crowd/fill.h"
 #include "csg/membership.h"
 #include "pack/precise.h"
 #include "pack/terms.h"
-#include "tile/tile.h"
+#include "tile/queue.h"
 
 struct packer {
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
     struct csg_terms terms;
+    struct csg_tile_queue queue;
     CSG_ARRAY(struct csg_rect) rects; /* of the nodes of the object at hand */
 };
 
@@ -166,8 +168,19 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
         (packer->params->textbook || packer->params->whole(index, packer->params->user)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
+    if (index != CSG_WHOLE_LAYER && csg_tile_is_small(object, &rect))
+        return csg_tile_queue_add(&packer->queue, &packer->terms, object, &rect, &draw);
     const double start = csg_clock_ms();
     const bool ok = csg_tile_object(&packer->terms, object, &rect, &draw);
+    packer->frame->tile_ms += csg_clock_ms() - start;
+    return ok;
+}
+
+/* Tiles what was left for later. */
+static bool run_queue(struct packer *packer)
+{
+    const double start = csg_clock_ms();
+    const bool ok = csg_tile_queue_run(&packer->queue, packer->frame);
     packer->frame->tile_ms += csg_clock_ms() - start;
     return ok;
 }
@@ -233,7 +246,7 @@ static bool add_layer(struct packer *packer, uint8_t layer)
             !add_object(packer, &objects[object], object))
             return false;
     }
-    return true;
+    return run_queue(packer);
 }
 
 /* The scene's box, or, where it has none, that of its finite solids and of the unbounded ones'
@@ -294,8 +307,33 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);
     csg_terms_finish(&packer.terms);
+    csg_tile_queue_finish(&packer.queue);
     free(packer.rects.data);
     return ok;
+}
+
+bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part)
+{
+    const int32_t base = (int32_t)(frame->texels.num / 4);
+    if (!csg_array_reserve(&frame->texels, part->texels.num) ||
+        !csg_array_reserve(&frame->draws, part->draws.num))
+        return false;
+    if (part->texels.num)
+        memcpy(frame->texels.data + frame->texels.num, part->texels.data,
+               part->texels.num * sizeof *part->texels.data);
+    frame->texels.num += part->texels.num;
+    for (size_t i = 0; i < part->draws.num; i++) {
+        struct csg_draw draw = part->draws.data[i];
+        draw.instance.records[0] += base;
+        draw.instance.records[1] += base;
+        frame->draws.data[frame->draws.num++] = draw;
+    }
+    frame->proxy_pixels += part->proxy_pixels;
+    frame->solid_tests += part->solid_tests;
+    frame->tiles_empty += part->tiles_empty;
+    frame->tiles_opaque += part->tiles_opaque;
+    frame->tiles_mixed += part->tiles_mixed;
+    return true;
 }
 
 void csg_frame_finish(struct csg_frame *frame)

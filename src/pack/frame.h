@@ -75,6 +75,10 @@ void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
 /* Counts the pixels of a rectangle in which a draw's program has this many solids. */
 void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_t num_leaves);
 
+/* Adds the draws, texels and counts of part, a frame of the same screen whose draws look up its own
+ * texels only but for attribute blocks. false: out of memory. */
+bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part);
+
 /* Refills frame (zeroed before the first use). false: out of memory. */
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params);

@@ -32,6 +32,16 @@ void csg_terms_finish(struct csg_terms *terms)
     free(terms->known);
 }
 
+void csg_terms_take(struct csg_terms *to, struct csg_terms *from)
+{
+    *to = *from;
+    to->index = NULL;
+    to->known = NULL;
+    memset(&from->leaves, 0, sizeof from->leaves);
+    memset(&from->texels, 0, sizeof from->texels);
+    memset(&from->views, 0, sizeof from->views);
+}
+
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
 {
     if (!csg_array_reserve(&frame->texels, 4 * num))

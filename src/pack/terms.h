@@ -34,6 +34,9 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
                     const struct csgcast_scene *scene, const struct csg_frame_params *params);
 void csg_terms_finish(struct csg_terms *terms);
 
+/* to gets the leaves of from, which may be filled anew; index and known stay there. */
+void csg_terms_take(struct csg_terms *to, struct csg_terms *from);
+
 /* Replaces the leaves by those of object, seen in rect; writes their attribute blocks into the
  * frame. Makes terms precise where a stiff quadric asks for it. */
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,

@@ -9,7 +9,6 @@
 #include "tile/tile.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "common/parallel.h"
 
@@ -47,31 +46,6 @@ static void tile_cell(void *user, size_t i)
     free(terms.known);
 }
 
-/* Moves what a cell made to the end of the frame. */
-static bool append(struct csg_frame *frame, const struct csg_frame *cell)
-{
-    const int32_t base = (int32_t)(frame->texels.num / 4);
-    if (!csg_array_reserve(&frame->texels, cell->texels.num) ||
-        !csg_array_reserve(&frame->draws, cell->draws.num))
-        return false;
-    if (cell->texels.num)
-        memcpy(frame->texels.data + frame->texels.num, cell->texels.data,
-               cell->texels.num * sizeof *cell->texels.data);
-    frame->texels.num += cell->texels.num;
-    for (size_t i = 0; i < cell->draws.num; i++) {
-        struct csg_draw draw = cell->draws.data[i];
-        draw.instance.records[0] += base;
-        draw.instance.records[1] += base;
-        frame->draws.data[frame->draws.num++] = draw;
-    }
-    frame->proxy_pixels += cell->proxy_pixels;
-    frame->solid_tests += cell->solid_tests;
-    frame->tiles_empty += cell->tiles_empty;
-    frame->tiles_opaque += cell->tiles_opaque;
-    frame->tiles_mixed += cell->tiles_mixed;
-    return true;
-}
-
 static int count_cells(int size)
 {
     const int num = size / MIN_CELL_SIZE;
@@ -103,26 +77,47 @@ static bool tile_cells(struct csg_terms *terms, struct job *job)
     csg_parallel(job->num, tile_cell, job);
     bool ok = true;
     for (size_t i = 0; i < job->num; i++) {
-        ok = ok && job->cells[i].ok && append(terms->frame, &job->cells[i].frame);
+        ok = ok && job->cells[i].ok && csg_frame_append(terms->frame, &job->cells[i].frame);
         csg_frame_finish(&job->cells[i].frame);
     }
     return ok;
 }
 
-bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw)
+static struct csg_tile_area area_of(const struct csg_rect *rect)
 {
     struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS};
     for (int i = 0; i < 2; i++) {
         area.lo[i] = (int)floor(rect->lo[i]);
         area.hi[i] = (int)ceil(rect->hi[i]);
     }
-    const int across = count_cells(area.hi[0] - area.lo[0]);
-    const int down = count_cells(area.hi[1] - area.lo[1]);
-    if (object->end - object->begin < MIN_NODES || across * down == 1)
+    return area;
+}
+
+/* How many cells there are across and down; 1 in all: the object is not cut into cells. */
+static int plan_cells(const struct csg_object *object, const struct csg_tile_area *area,
+                      int *across, int *down)
+{
+    *across = count_cells(area->hi[0] - area->lo[0]);
+    *down = count_cells(area->hi[1] - area->lo[1]);
+    return object->end - object->begin < MIN_NODES ? 1 : *across * *down;
+}
+
+bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect)
+{
+    const struct csg_tile_area area = area_of(rect);
+    int across, down;
+    return plan_cells(object, &area, &across, &down) == 1;
+}
+
+bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw)
+{
+    const struct csg_tile_area area = area_of(rect);
+    int across, down;
+    const int num = plan_cells(object, &area, &across, &down);
+    if (num == 1)
         return csg_tile_area(terms, object, &area, draw);
-    struct job job = {terms, object, draw, calloc((size_t)(across * down), sizeof *job.cells),
-                      (size_t)(across * down)};
+    struct job job = {terms, object, draw, calloc((size_t)num, sizeof *job.cells), (size_t)num};
     if (!job.cells)
         return false;
     cut_cells(&area, across, down, job.cells);

@@ -32,4 +32,7 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw);
 
+/* Whether that would be done by one core. */
+bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect);
+
 #endif

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/queue.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/parallel.h"
+
+/* Objects a task: they share the arrays that have an entry for each leaf of the scene. */
+enum { CHUNK = 4 };
+
+/* More do not wait: their terms take memory. */
+enum { MAX_ITEMS = 512 };
+
+bool csg_tile_queue_add(struct csg_tile_queue *queue, struct csg_terms *terms,
+                        const struct csg_object *object, const struct csg_rect *rect,
+                        const struct csg_draw *draw)
+{
+    struct csg_frame *frame = terms->frame;
+    if (queue->items.num >= MAX_ITEMS && !csg_tile_queue_run(queue, frame))
+        return false;
+    if (!csg_array_reserve(&queue->items, 1))
+        return false;
+    struct csg_queued *item = &queue->items.data[queue->items.num++];
+    *item = (struct csg_queued){.object = object, .rect = *rect, .draw = *draw,
+                                .at = frame->draws.num};
+    csg_terms_take(&item->terms, terms);
+    item->part.screen = frame->screen;
+    item->part.at = frame->at;
+    return true;
+}
+
+/* As csg_terms_fill numbers them. */
+static void number_leaves(const struct csg_queued *item)
+{
+    const struct csg_node *nodes = item->terms.scene->trees[item->object->layer].data;
+    uint32_t num = 0;
+    for (uint32_t i = item->object->begin; i < item->object->end; i++)
+        if (nodes[i].op == CSG_LEAF)
+            item->terms.index[nodes[i].leaf] = num++;
+}
+
+static void tile_chunk(void *user, size_t task)
+{
+    struct csg_tile_queue *queue = user;
+    const size_t begin = CHUNK * task, num = queue->items.num;
+    const size_t end = begin + CHUNK < num ? begin + CHUNK : num;
+    const size_t num_leaves = queue->items.data[begin].terms.scene->num_leaves;
+    uint32_t *index = malloc((num_leaves + 1) * sizeof *index);
+    uint8_t *known = malloc(num_leaves + 1);
+    for (size_t i = begin; i < end && index && known; i++) {
+        struct csg_queued *item = &queue->items.data[i];
+        item->terms.frame = &item->part;
+        item->terms.index = index;
+        item->terms.known = known;
+        number_leaves(item);
+        item->ok = csg_tile_object(&item->terms, item->object, &item->rect, &item->draw);
+        item->terms.index = NULL;
+        item->terms.known = NULL;
+    }
+    free(index);
+    free(known);
+}
+
+static bool push_draws(struct csg_frame *frame, const struct csg_draw *draws, size_t num)
+{
+    if (num == 0)
+        return true;
+    if (!csg_array_reserve(&frame->draws, num))
+        return false;
+    memcpy(frame->draws.data + frame->draws.num, draws, num * sizeof *draws);
+    frame->draws.num += num;
+    return true;
+}
+
+/* Draws stay in the order of their objects. */
+static bool splice(const struct csg_tile_queue *queue, struct csg_frame *frame)
+{
+    const size_t first = queue->items.data[0].at, num = frame->draws.num - first;
+    struct csg_draw *others = malloc((num + 1) * sizeof *others);
+    size_t next = 0;
+    bool ok = others != NULL;
+    if (ok && num)
+        memcpy(others, frame->draws.data + first, num * sizeof *others);
+    frame->draws.num = first;
+    for (size_t i = 0; i < queue->items.num && ok; i++) {
+        const struct csg_queued *item = &queue->items.data[i];
+        ok = item->ok && push_draws(frame, others + next, item->at - first - next) &&
+             csg_frame_append(frame, &item->part);
+        next = item->at - first;
+    }
+    ok = ok && push_draws(frame, others + next, num - next);
+    free(others);
+    return ok;
+}
+
+static void drop(struct csg_tile_queue *queue)
+{
+    for (size_t i = 0; i < queue->items.num; i++) {
+        csg_terms_finish(&queue->items.data[i].terms);
+        csg_frame_finish(&queue->items.data[i].part);
+    }
+    queue->items.num = 0;
+}
+
+bool csg_tile_queue_run(struct csg_tile_queue *queue, struct csg_frame *frame)
+{
+    if (queue->items.num == 0)
+        return true;
+    csg_parallel((queue->items.num + CHUNK - 1) / CHUNK, tile_chunk, queue);
+    const bool ok = splice(queue, frame);
+    drop(queue);
+    return ok;
+}
+
+void csg_tile_queue_finish(struct csg_tile_queue *queue)
+{
+    drop(queue);
+    free(queue->items.data);
+}
