@@ -3,7 +3,11 @@
 
 #include <stdlib.h>
 
+#include "plane/prism_surface.h"
 #include "solids/facets.h"
+
+/* Where a surface of triangles is faster to draw than convex pieces, see docs/surfaces.md. */
+#define MAX_PIECES 100
 
 /* A node of the drawing that is open in the part. */
 struct open {
@@ -17,6 +21,7 @@ struct extruder {
     struct csg_part *part;
     const struct csg_drawing *drawing;
     const struct csg_lift *lift;
+    bool surfaces;
     CSG_ARRAY(struct open) open;
     bool too_large;
 };
@@ -56,6 +61,16 @@ static bool add_piece(struct extruder *extruder, const struct csg_figure *figure
     return false;
 }
 
+/* taken: the polygon is there, as one solid. */
+static bool add_surface(struct extruder *extruder, uint32_t node, bool negated, bool *taken)
+{
+    struct csg_shape shape = {0};
+    const enum csg_prism_result result =
+        csg_prism_surface(&shape, extruder->drawing, node, extruder->lift);
+    *taken = result == CSG_PRISM_DONE;
+    return *taken ? csg_part_add(extruder->part, &shape, negated) : result == CSG_PRISM_NONE;
+}
+
 /* A union of pieces, or, negated, what is in none of them. */
 static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
 {
@@ -63,8 +78,15 @@ static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
         &extruder->drawing->figures.data[extruder->drawing->nodes.data[node].figure];
     struct csg_pieces pieces = {0};
     const enum csg_sweep_result result = csg_pieces_cut(&pieces, extruder->drawing, node);
-    bool ok = result == CSG_SWEEP_DONE && csg_part_open(extruder->part, negated);
+    bool ok = result == CSG_SWEEP_DONE, taken = false;
     extruder->too_large |= result == CSG_SWEEP_TOO_LARGE;
+    if (ok && extruder->surfaces && pieces.pieces.num > MAX_PIECES)
+        ok = add_surface(extruder, node, negated, &taken);
+    if (!ok || taken) {
+        csg_pieces_finish(&pieces);
+        return ok;
+    }
+    ok = csg_part_open(extruder->part, negated);
     for (size_t i = 0; i < pieces.pieces.num && ok && !extruder->part->is_too_large; i++)
         ok = add_piece(extruder, figure, &pieces, &pieces.pieces.data[i], negated);
     if (ok)
@@ -101,9 +123,10 @@ static bool open_node(struct extruder *extruder, const struct csg_draw_node *nod
 }
 
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
-                 const struct csg_lift *lift, bool *too_large)
+                 const struct csg_lift *lift, bool surfaces, bool *too_large)
 {
-    struct extruder extruder = {.part = part, .drawing = drawing, .lift = lift};
+    struct extruder extruder = {
+        .part = part, .drawing = drawing, .lift = lift, .surfaces = surfaces};
     bool ok = true;
     for (uint32_t i = 0; i < drawing->nodes.num && ok && !part->is_too_large; i++) {
         const struct csg_draw_node *node = &drawing->nodes.data[i];

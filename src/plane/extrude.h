@@ -8,8 +8,10 @@
 #include "csg/part.h"
 #include "plane/prism.h"
 
-/* false: out of memory, or, with too_large set, a figure that is too large to be cut. */
+/* Polygons become unions of convex pieces, or, with surfaces, those of very many pieces one surface
+ * (docs/surfaces.md). false: out of memory, or, with too_large set, a figure that is too large to
+ * be cut. */
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
-                 const struct csg_lift *lift, bool *too_large);
+                 const struct csg_lift *lift, bool surfaces, bool *too_large);
 
 #endif

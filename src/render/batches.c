@@ -205,7 +205,8 @@ static GLuint choose_chain(struct chooser *chooser, int chain)
     if (!chooser->chains[chain])
         chooser->chains[chain] =
             csg_programs_get(&chooser->renderer->programs,
-                             csg_source_geometry_chain(&csg_chains[chain], frame_features(chooser)));
+                             csg_source_geometry_chain(&csg_chains[chain],
+                                                       frame_features(chooser)));
     return chooser->chains[chain];
 }
 

@@ -94,7 +94,7 @@ static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion,
 {
     const struct csg_lift lift = {.z0 = z[0], .s0 = 1, .z1 = z[1], .s1 = extrusion->scale[0]};
     bool too_large = false;
-    if (csg_extrude(part, drawing, &lift, &too_large))
+    if (csg_extrude(part, drawing, &lift, walk->depth == 0, &too_large))
         return true;
     part->is_too_large |= too_large;
     return too_large || csg_log_memory(&walk->builder->report->log);

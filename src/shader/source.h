@@ -113,8 +113,8 @@ struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int f
 /* The shading pass; features: TEXTBOOK and SHARED. */
 struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features);
 
-/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. Returns how many texels are
- * handed over. */
+/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. Returns how many texels
+ * are handed over. */
 size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
                          const struct csg_structure *structure, size_t max_handed);
 
