@@ -15,9 +15,9 @@ void main()
 #endif
     if (!csg_resolve(csg_object, d, k, place, inside))
         discard;
-#if defined(CSG_CAN_GIVE_UP) && !defined(CSG_DIRECT)
+#ifdef CSG_CAN_GIVE_UP
     if (csg_has_given_up(csg_object.z)) {
-        csg_visible = uvec2(0u, CSG_UNFINISHED);
+        csg_show_unfinished();
         gl_FragDepth = 0.0;
         return;
     }

@@ -17,3 +17,13 @@ void csg_show(vec2 d, float k, int place)
     csg_visible = uvec2(floatBitsToUint(k), uint(place + 1));
 #endif
 }
+
+/* The program gave up: all that is finished has an alpha of 1. */
+void csg_show_unfinished()
+{
+#ifdef CSG_DIRECT
+    csg_color = vec4(0.0);
+#else
+    csg_visible = uvec2(0u, CSG_UNFINISHED);
+#endif
+}

@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "render/turns.h"
-
 /* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
 #define MAX_LIT 1.5
 
@@ -55,11 +53,9 @@ bool csg_is_disjoint(const struct csg_frame *frame)
     return num <= 1;
 }
 
-static bool is_simple(const struct csgcast_renderer *renderer, const struct csg_draw *draw)
+static bool is_opaque(const struct csg_draw *draw)
 {
-    return !draw->translucent && draw->layer == CSG_LAYER_MODEL && draw->paint == CSG_LAYER_MODEL &&
-           (!draw->precise || renderer->gl->has_double) &&
-           !csg_may_give_up(&renderer->frame, draw);
+    return !draw->translucent && draw->layer == CSG_LAYER_MODEL && draw->paint == CSG_LAYER_MODEL;
 }
 
 /* Few fragments a pixel. */
@@ -93,7 +89,7 @@ bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_requ
         request->textbook)
         return false;
     for (size_t i = 0; i < frame->draws.num; i++)
-        if (!is_simple(renderer, &frame->draws.data[i]))
+        if (!is_opaque(&frame->draws.data[i]))
             return false;
     return is_kept_thin(renderer, request) || csg_is_disjoint(frame);
 }

@@ -384,9 +384,10 @@ static bool draw_bands(struct csg_picture *picture)
         return false;
     const size_t num_pixels = (size_t)request->width * (size_t)rows;
     float *pixels = picture->bytes ? NULL : malloc(4 * num_pixels * sizeof *pixels);
-    if (picture->batches.may_give_up)
+    const bool marks = picture->batches.may_give_up && !picture->batches.direct;
+    if (marks)
         picture->visible = malloc(2 * num_pixels * sizeof *picture->visible);
-    bool ok = (pixels || picture->bytes) && (picture->visible || !picture->batches.may_give_up);
+    bool ok = (pixels || picture->bytes) && (picture->visible || !marks);
     if (!ok)
         csg_log_memory(&picture->renderer->log);
     picture->gl->ActiveTexture(GL_TEXTURE0);
@@ -400,7 +401,7 @@ static bool draw_bands(struct csg_picture *picture)
         picture->gl->Finish(); /* reading waits for it anyway */
         const double drawn = csg_clock_ms();
         csg_picture_read_band(picture, pixels);
-        if (picture->visible)
+        if (picture->batches.may_give_up)
             ok = csg_unfinished_fill(picture->renderer, request, picture->visible, row,
                                      picture->num_rows);
         stats->draw_ms += drawn - start;

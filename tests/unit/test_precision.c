@@ -80,11 +80,16 @@ static void check_cpu(struct csgcast_renderer *with, struct csgcast_renderer *wi
 {
     const struct choice *choice = &choices[6];
     float z[2][SIZE * SIZE];
+    uint8_t colors[2][4 * SIZE * SIZE];
     struct csgcast_stats stats;
     struct csgcast_scene *scene = parse(choice->text);
     const struct csgcast_view view = view_of(choice->eye, choice->center);
     CHECK(csgcast_render(with, scene, &view, &(struct csgcast_image){.z = z[0]}), "double");
-    CHECK(csgcast_render(without, scene, &view, &(struct csgcast_image){.z = z[1]}), "CPU");
+    CHECK(csgcast_render(without, scene, &view,
+                         &(struct csgcast_image){.z = z[1], .rgba8 = colors[0]}), "CPU");
+    CHECK(csgcast_render(without, scene, &view, &(struct csgcast_image){.rgba8 = colors[1]}),
+          "colours alone");
+    CHECK(memcmp(colors[0], colors[1], sizeof colors[0]) == 0, "the same colours");
     csgcast_renderer_get_stats(without, &stats);
     CHECK(stats.unfinished_pixels > 0 && strstr(stats.variants, "reference 1"), "%s",
           stats.variants);
