@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+
+/*
+ * Tiles on all cores: the rectangle of a large object is cut into panes, each tiled by itself into
+ * a frame of its own. Panes depend on the object and the picture only, and are put together in
+ * their order, so the frame is the same however many threads there are.
+ */
+
+#include "tile/tile.h"
+
+#include <stdlib.h>
+
+#include "common/parallel.h"
+
+/* Smaller trees are tiled sooner than threads start. */
+#define MIN_NODES 48
+
+/* Panes across and down, and the size below which there are fewer, in pixels. */
+#define MAX_PANES 4
+#define MIN_PANE_SIZE (4 * CSG_TILE_SIZE)
+
+struct pane {
+    struct csg_frame frame;
+    struct csg_tile_area area;
+    bool ok;
+};
+
+struct job {
+    const struct csg_terms *terms;
+    const struct csg_object *object;
+    const struct csg_draw *draw;
+    struct pane *panes;
+    size_t num;
+};
+
+/* What is drawn and counted goes to a frame of its own. */
+static void tile_pane(void *user, size_t i)
+{
+    const struct job *job = user;
+    struct pane *pane = &job->panes[i];
+    struct csg_terms terms = *job->terms;
+    pane->frame.screen = job->terms->frame->screen;
+    pane->frame.at = job->terms->frame->at;
+    terms.frame = &pane->frame;
+    terms.known = malloc(terms.scene->num_leaves + 1);
+    pane->ok = terms.known && csg_tile_area(&terms, job->object, &pane->area, job->draw);
+    free(terms.known);
+}
+
+static int count_panes(int size)
+{
+    const int num = size / MIN_PANE_SIZE;
+    return num < 1 ? 1 : num > MAX_PANES ? MAX_PANES : num;
+}
+
+/* Edge number i of num, on a tile's edge but for the last one. */
+static int edge(int lo, int hi, int i, int num)
+{
+    const int tiles = (hi - lo + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE;
+    return i == num ? hi : lo + tiles * i / num * CSG_TILE_SIZE;
+}
+
+static void cut_panes(const struct csg_tile_area *area, int across, int down, struct pane *panes)
+{
+    for (int i = 0; i < across * down; i++) {
+        const int x = i % across, y = i / across;
+        panes[i].area =
+            (struct csg_tile_area){.lo = {edge(area->lo[0], area->hi[0], x, across),
+                                          edge(area->lo[1], area->hi[1], y, down)},
+                                   .hi = {edge(area->lo[0], area->hi[0], x + 1, across),
+                                          edge(area->lo[1], area->hi[1], y + 1, down)},
+                                   .max_texels = area->max_texels / (size_t)(across * down)};
+    }
+}
+
+static bool tile_panes(struct csg_terms *terms, struct job *job)
+{
+    csg_parallel(job->num, tile_pane, job);
+    bool ok = true;
+    for (size_t i = 0; i < job->num; i++) {
+        ok = ok && job->panes[i].ok && csg_frame_append(terms->frame, &job->panes[i].frame);
+        csg_frame_finish(&job->panes[i].frame);
+    }
+    return ok;
+}
+
+static struct csg_tile_area area_of(const struct csg_rect *rect)
+{
+    struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS};
+    for (int i = 0; i < 2; i++) {
+        area.lo[i] = (int)floor(rect->lo[i]);
+        area.hi[i] = (int)ceil(rect->hi[i]);
+    }
+    return area;
+}
+
+/* How many panes there are across and down; 1 in all: the object is not cut into panes. */
+static int plan_panes(const struct csg_object *object, const struct csg_tile_area *area,
+                      int *across, int *down)
+{
+    *across = count_panes(area->hi[0] - area->lo[0]);
+    *down = count_panes(area->hi[1] - area->lo[1]);
+    return object->end - object->begin < MIN_NODES ? 1 : *across * *down;
+}
+
+bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect)
+{
+    const struct csg_tile_area area = area_of(rect);
+    int across, down;
+    return plan_panes(object, &area, &across, &down) == 1;
+}
+
+bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw)
+{
+    const struct csg_tile_area area = area_of(rect);
+    int across, down;
+    const int num = plan_panes(object, &area, &across, &down);
+    if (num == 1)
+        return csg_tile_area(terms, object, &area, draw);
+    struct job job = {terms, object, draw, calloc((size_t)num, sizeof *job.panes), (size_t)num};
+    if (!job.panes)
+        return false;
+    cut_panes(&area, across, down, job.panes);
+    const bool ok = tile_panes(terms, &job);
+    free(job.panes);
+    return ok;
+}
+
+#define SAMPLES 3 /* across and down */
+
+bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw, double *tests)
+{
+    struct pane panes[SAMPLES * SAMPLES] = {{.ok = false}};
+    struct job job = {terms, object, draw, panes, SAMPLES * SAMPLES};
+    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
+        const int at[2] = {i % SAMPLES, i / SAMPLES};
+        struct csg_tile_area *area = &panes[i].area;
+        for (int j = 0; j < 2; j++) {
+            const double size = rect->hi[j] - rect->lo[j];
+            area->lo[j] = (int)floor(rect->lo[j] + (at[j] + 0.5) / SAMPLES * size);
+            area->hi[j] = area->lo[j] + 2 * CSG_TILE_SIZE;
+        }
+        area->max_texels = CSG_MAX_TILED_TEXELS;
+    }
+    csg_parallel(job.num, tile_pane, &job);
+    double num_tests = 0, num_pixels = 0;
+    bool ok = true;
+    for (size_t i = 0; i < job.num; i++) {
+        ok &= panes[i].ok;
+        num_tests += (double)panes[i].frame.solid_tests;
+        num_pixels += (double)panes[i].frame.proxy_pixels;
+        csg_frame_finish(&panes[i].frame);
+    }
+    *tests = num_pixels > 0 ? num_tests / num_pixels : 0;
+    return ok;
+}
