@@ -20,6 +20,7 @@
 #define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
 #define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
 #define CSG_RECORD_BOUND 256  /* no leaf: nothing that follows matters before the key in the header */
+#define CSG_RECORD_MORE 512  /* in a cell: the next record holds more faces of the same leaf */
 
 /*
  * A surface's record has lists of faces by cell, a square of pixels; all places count from the header.
@@ -72,3 +73,14 @@
 
 /* How often one look asks an innermost operand of a union anew, see csg/program.glsl. */
 #define CSG_MAX_AGAIN 3
+
+/*
+ * An object in cells (src/cells/cells.h) begins with what rays are in the space of its cells: origin
+ * and its steps a pixel, direction and its steps, half the size of the box. The cells follow.
+ */
+#define CSG_WALK_HEADER 7
+#define CSG_WALK_DEPTH 32 /* of splits */
+
+/* Turns after which a pixel's walk gives up: sixteen pixels, as many as llvmpipe may draw at once,
+ * then still keep within CSG_MAX_TURNS together. */
+#define CSG_MAX_WALK_TURNS 4000

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cells/store.h"
 #include "common/clock.h"
 #include "crowd/crowd.h"
 #include "csg/carrier.h"
@@ -34,6 +35,7 @@ void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
     free(scene->sharpness);
     free(scene->ways.data);
+    csg_cells_store_destroy(scene->cells);
     csg_crowd_destroy(scene->crowd);
     csg_plan_destroy(scene->plan);
     csg_carriers_destroy(scene->carriers);
@@ -218,7 +220,8 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     if (!scene->sharpness || !scene->plan)
         return false;
     scene->crowd = csg_crowd_create(scene);
-    if (!scene->crowd)
+    scene->cells = csg_cells_store_create(scene);
+    if (!scene->crowd || !scene->cells)
         return false;
     fill_carrier_info(scene);
     return true;

@@ -42,6 +42,7 @@ struct csg_scene_ways {
 struct csg_objects;
 struct csg_carriers;
 struct csg_carriers_before;
+struct csg_cells_store;
 struct csg_crowd;
 struct csg_edits;
 struct csg_plan;
@@ -66,6 +67,7 @@ struct csgcast_scene {
     struct csg_crowd *crowd;       /* objects of one solid each */
     struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
     struct csg_sharpness *sharpness; /* by object: what its geometry asks of numbers */
+    struct csg_cells_store *cells; /* cells/: of objects, on demand */
     struct csg_box box;            /* of the model */
     struct csg_box written;        /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;

@@ -32,6 +32,8 @@ struct csg_draw {
     bool precise;         /* drawn in double: the records hold low parts */
     bool surface;         /* some record is that of a surface of triangles */
     bool surface_alone;   /* there is no other, and the eye is outside of it */
+    bool walk;            /* in cells: records begin with CSG_WALK_HEADER */
+    bool nested;          /* walk: see csg_cells */
     bool tile;            /* a tile of the object: its records differ from the object's steps */
 };
 
@@ -49,6 +51,9 @@ struct csg_frame {
     struct csg_frame_crowd crowd;
 };
 
+/* Objects drawn in cells: none, those that tiles make too little of, all that can be. */
+enum csg_cells_use { CSG_CELLS_NEVER, CSG_CELLS_WHERE_BETTER, CSG_CELLS_ALWAYS };
+
 struct csg_frame_params {
     const struct csgcast_frustum *frustum;
     int width, height;
@@ -62,6 +67,7 @@ struct csg_frame_params {
     int tile_size;   /* pixels, 0: CSG_TILE_SIZE; else tests have everything drawn in tiles of that
                         size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
+    enum csg_cells_use cells; /* what is drawn in cells */
     bool crowds;     /* single solids are drawn as crowd/crowd.h has them */
 };
 

@@ -26,6 +26,7 @@ struct chooser {
     size_t num_straight;
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
+    GLuint cells[CSG_NUM_FEATURE_SETS];
     GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
     bool tiles_prepared, direct;
@@ -44,7 +45,8 @@ bool csg_draws_whole(size_t object, const void *user)
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
     if (request->scene->objects->data[object].crowded || request->tile_size ||
-        request->resolver == CSG_RESOLVER_CHAIN || (request->shared && structure.num > 1))
+        request->resolver == CSG_RESOLVER_CHAIN || request->resolver == CSG_RESOLVER_CELLS ||
+        (request->shared && structure.num > 1))
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
@@ -152,6 +154,7 @@ static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver,
                             enum csg_resolver *chosen)
 {
     GLuint *shared = resolver == CSG_RESOLVER_REAR         ? chooser->rears
+                     : resolver == CSG_RESOLVER_CELLS      ? chooser->cells
                      : resolver == CSG_RESOLVER_SURFACE    ? chooser->surfaces
                      : resolver == CSG_RESOLVER_ALGORITHM4 ? chooser->sorted
                                                            : chooser->loops;
@@ -225,6 +228,13 @@ static bool prepare_tiles(struct chooser *chooser)
                          &resolver) != 0;
 }
 
+static int walk_features(const struct chooser *chooser, const struct csg_draw *draw)
+{
+    const struct csg_structure structure = structure_of(chooser->request, draw->object);
+    return csg_structure_features(&structure) | view_features(draw) |
+           (draw->nested ? CSG_FEATURE_NESTED : 0);
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
@@ -232,6 +242,8 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
         return 0;
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);
+    if (draw->walk)
+        return choose_shared(chooser, CSG_RESOLVER_CELLS, walk_features(chooser, draw), resolver);
     if (draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP)
         return choose_surface(chooser, draw, resolver);
     const int chain = find_chain(chooser, draw);

@@ -440,6 +440,15 @@ static bool has_crowds(const struct csg_request *request)
            (!request->shared || request->scene->objects->num >= MIN_SHARED_CROWD);
 }
 
+static enum csg_cells_use choose_cells(const struct csg_request *request)
+{
+    if (request->resolver == CSG_RESOLVER_CELLS)
+        return CSG_CELLS_ALWAYS;
+    return request->resolver >= 0 || request->textbook || request->tile_size
+               ? CSG_CELLS_NEVER
+               : CSG_CELLS_WHERE_BETTER;
+}
+
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const struct csg_frame_params params = {
@@ -455,6 +464,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .has_double = renderer->gl->has_double,
         .crowds = has_crowds(request),
         .tile_size = request->tile_size,
+        .cells = choose_cells(request),
     };
     const double start = csg_clock_ms();
     if (!csg_frame_fill(&renderer->frame, request->scene, &params))

@@ -27,6 +27,8 @@ static int32_t record_size(const float *head, bool precise)
 struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw)
 {
     struct csg_turns turns = {2, 3};
+    if (draw->walk)
+        return (struct csg_turns){0, INFINITY}; /* known to the ray only, which counts them */
     double group = 0; /* turns before the innermost operand that is being read */
     for (int32_t p = draw->instance.records[0]; p < draw->instance.records[1];) {
         const float *head = frame->texels.data + 4 * (size_t)p;
@@ -46,5 +48,7 @@ struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_dr
 bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
 {
     const struct csg_turns turns = csg_turns_of(frame, draw);
+    if (draw->walk)
+        return true;
     return turns.look * turns.looks > CSG_MAX_TURNS;
 }

@@ -8,7 +8,7 @@
 
 #include "shader/files.h"
 
-const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop",
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop", "cells",
                                                            "algorithm4", "double"};
 
 const char *csgcast_variant_name(size_t index)
@@ -107,6 +107,11 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver)
         add_file(text, "csg/surface.glsl");
         return;
     }
+    if (resolver == CSG_RESOLVER_CELLS) {
+        add_file(text, "csg/cell.glsl");
+        add_file(text, "csg/walk.glsl");
+        return;
+    }
     add_file(text, "csg/program.glsl");
     if (resolver == CSG_RESOLVER_REAR) {
         add_file(text, "csg/rear.glsl");
@@ -146,6 +151,8 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         csg_text_add(fragment, "#define CSG_HAS_GAP\n");
     if (features & CSG_FEATURE_SURFACE)
         csg_text_add(fragment, "#define CSG_HAS_SURFACE\n");
+    if (features & CSG_FEATURE_NESTED)
+        csg_text_add(fragment, "#define CSG_HAS_NESTED\n");
     if (features & CSG_FEATURE_STIFF)
         csg_text_add(fragment, "#define CSG_HAS_STIFF\n");
     add_file(fragment, "common/data.glsl");
@@ -217,6 +224,10 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     start_geometry(&vertex, &fragment, resolver, features);
     add_resolver(&fragment, resolver);
     size_t num_handed = 0;
+    if (resolver == CSG_RESOLVER_CELLS) {
+        add_file(&vertex, "csg/walk.vert.glsl");
+        num_handed = CSG_WALK_HEADER;
+    }
     if (resolver == CSG_RESOLVER_STRAIGHT)
         num_handed = csg_source_straight(&vertex, &fragment, structure, max_handed);
     add_spare(&vertex, &fragment, features, num_handed);

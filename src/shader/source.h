@@ -12,6 +12,7 @@ enum csg_resolver {
     CSG_RESOLVER_STRAIGHT,   /* structure compiled in: straight-line code for one small tree */
     CSG_RESOLVER_CHAIN,      /* a few solids in a row, from flat inputs: what most tiles are */
     CSG_RESOLVER_LOOP,       /* any tree, read from the data texture, no array of crossings */
+    CSG_RESOLVER_CELLS,      /* from cell to cell, each with a small tree */
     CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
     CSG_RESOLVER_DOUBLE,     /* the loop in double precision, for what float does not hold */
     CSG_NUM_RESOLVERS,
@@ -36,11 +37,12 @@ enum csg_feature {
     CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
     CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
     CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
-    CSG_NUM_FEATURE_SETS = 32,
+    CSG_FEATURE_NESTED = 32, /* cells: some of their trees are no chains */
+    CSG_NUM_FEATURE_SETS = 64,
     /* All of a frame's programs or none: */
-    CSG_FEATURE_TEXTBOOK = 32, /* crossings of textbooks */
-    CSG_FEATURE_DIRECT = 64,   /* colours, instead of what the shading pass reads */
-    CSG_FEATURE_SHARED = 128   /* the same flat inputs, see shaders/common/inputs.glsl */
+    CSG_FEATURE_TEXTBOOK = 64, /* crossings of textbooks */
+    CSG_FEATURE_DIRECT = 128,  /* colours, instead of what the shading pass reads */
+    CSG_FEATURE_SHARED = 256   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT */
+#include "cells/cells.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cells/build.h"
+#include "cells/side.h"
+#include "common/parallel.h"
+#include "csg/carrier.h"
+
+/* The margin as a share of the object's size: far above what floats lose on the way to a cell. */
+#define MARGIN 1e-4
+
+/* Parts that are built side by side. */
+#define NUM_PARTS 64
+
+/* Branches for each leaf, and at least, at most: what costs rays most is cut first. */
+#define BRANCHES_PER_LEAF 24
+#define MIN_BRANCHES 4096
+#define MAX_BRANCHES ((size_t)1 << 20)
+
+/* All places are floats. */
+#define MAX_TEXELS ((size_t)1 << 24)
+
+struct job {
+    struct csg_cell_builder top; /* its work is what the parts start from */
+    struct csg_cell_builder *parts;
+    uint32_t *places;
+    bool *is_box;
+    double cost; /* of all parts */
+};
+
+bool csg_cells_can_hold(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    const uint32_t max_faces = (1 << CSG_CELL_FACE_BITS) - 1;
+    if (!csg_box_is_finite(&object->box) || csg_box_is_empty(&object->box))
+        return false;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF)
+            continue;
+        const struct csg_shape *shape = &scene->leaves[nodes[i].leaf].shape;
+        if (shape->surface || shape->num_planes > max_faces || nodes[i].spare)
+            return false;
+    }
+    return true;
+}
+
+static void build_part(void *user, size_t i)
+{
+    struct job *job = user;
+    struct csg_work *work = &job->top.work.data[i];
+    struct csg_cell_builder *part = &job->parts[i];
+    part->scene = job->top.scene;
+    part->places = job->places;
+    part->is_box = job->is_box;
+    part->margin = job->top.margin;
+    part->max_branches = (size_t)((double)job->top.max_branches * work->cost / job->cost);
+    csg_cell_builder_start(part, &work->box, &work->tree, work->depth);
+    csg_cell_builder_cut(part, SIZE_MAX);
+    csg_cell_builder_close(part);
+}
+
+/* Where the leaves' terms will be, in texels: one after the other, as pack/walk.c puts them. NULL:
+ * out of memory or of places. */
+static uint32_t *find_places(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    uint32_t *places = malloc((scene->num_leaves + 1) * sizeof *places);
+    uint32_t place = 0;
+    for (uint32_t i = object->begin; i < object->end && places; i++) {
+        if (nodes[i].op != CSG_LEAF)
+            continue;
+        const struct csg_shape *shape = &scene->leaves[nodes[i].leaf].shape;
+        const uint32_t begin = scene->carriers->face_begin[nodes[i].leaf];
+        places[nodes[i].leaf] = place;
+        place += 1 + scene->carriers->face_begin[nodes[i].leaf + 1] - begin +
+                 (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
+    }
+    if (place < MAX_TEXELS)
+        return places;
+    free(places);
+    return NULL;
+}
+
+static bool *find_boxes(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    bool *boxes = malloc((scene->num_leaves + 1) * sizeof *boxes);
+    for (uint32_t i = object->begin; i < object->end && boxes; i++)
+        if (nodes[i].op == CSG_LEAF)
+            boxes[nodes[i].leaf] = csg_side_is_box(scene, nodes[i].leaf);
+    return boxes;
+}
+
+static bool object_tree(const struct csgcast_scene *scene, const struct csg_object *object,
+                        struct csg_tree *tree)
+{
+    const struct csg_tree part = {scene->trees[object->layer].data + object->begin,
+                                  object->end - object->begin, 0};
+    if (!csg_tree_copy(&part, tree))
+        return false;
+    for (size_t i = 0; i < tree->num; i++)
+        tree->data[i].end -= object->begin;
+    return true;
+}
+
+static size_t max_branches(const struct csg_object *object)
+{
+    const size_t num = BRANCHES_PER_LEAF * (object->end - object->begin);
+    return num < MIN_BRANCHES ? MIN_BRANCHES : num > MAX_BRANCHES ? MAX_BRANCHES : num;
+}
+
+static bool build(struct job *job, const struct csgcast_scene *scene,
+                  const struct csg_object *object, struct csg_cells *cells)
+{
+    struct csg_tree tree = {0};
+    job->places = find_places(scene, object);
+    job->is_box = find_boxes(scene, object);
+    job->top.scene = scene;
+    job->top.places = job->places;
+    job->top.is_box = job->is_box;
+    job->top.margin = cells->margin;
+    job->top.max_branches = max_branches(object);
+    if (!job->places || !job->is_box || !object_tree(scene, object, &tree))
+        return false;
+    csg_cell_builder_start(&job->top, &cells->box, &tree, 0);
+    csg_cell_builder_cut(&job->top, NUM_PARTS);
+    job->parts = calloc(job->top.work.num + 1, sizeof *job->parts);
+    if (job->top.failed || !job->parts)
+        return false;
+    for (size_t i = 0; i < job->top.work.num; i++) {
+        job->top.branches.data[job->top.work.data[i].branch].first = (uint32_t)i;
+        job->cost += job->top.work.data[i].cost;
+    }
+    csg_parallel(job->top.work.num, build_part, job);
+    cells->nested = job->top.nested;
+    bool ok = true;
+    for (size_t i = 0; i < job->top.work.num; i++) {
+        ok &= !job->parts[i].failed;
+        cells->nested |= job->parts[i].nested;
+    }
+    return ok;
+}
+
+/* A branch of one of the builders; open ones are the roots of the parts. */
+struct place {
+    const struct csg_cell_builder *builder;
+    uint32_t branch;
+};
+
+static const struct csg_branch *follow(const struct job *job, struct place *place)
+{
+    const struct csg_branch *branch = &place->builder->branches.data[place->branch];
+    if (branch->kind != CSG_BRANCH_OPEN)
+        return branch;
+    *place = (struct place){&job->parts[branch->first], 0};
+    return &place->builder->branches.data[0];
+}
+
+#define MAX_SLABS 4
+
+/* Cuts along the same axis become one split: its slabs from below, and the places between them. */
+struct slabs {
+    struct place parts[MAX_SLABS];
+    double at[MAX_SLABS - 1];
+    int num, axis;
+};
+
+static void insert_cut(struct slabs *slabs, int i, struct place part,
+                       const struct csg_branch *branch)
+{
+    for (int j = slabs->num; j > i + 1; j--)
+        slabs->parts[j] = slabs->parts[j - 1];
+    for (int j = slabs->num - 1; j > i; j--)
+        slabs->at[j] = slabs->at[j - 1];
+    slabs->parts[i] = (struct place){part.builder, branch->first};
+    slabs->parts[i + 1] = (struct place){part.builder, branch->first + 1};
+    slabs->at[i] = branch->at;
+    slabs->num++;
+}
+
+static struct slabs gather_slabs(const struct job *job, struct place root,
+                                 const struct csg_branch *branch)
+{
+    struct slabs slabs = {.num = 1, .axis = branch->kind};
+    insert_cut(&slabs, 0, root, branch);
+    for (int i = 0; i < slabs.num && slabs.num < MAX_SLABS;) {
+        struct place part = slabs.parts[i];
+        const struct csg_branch *cut = follow(job, &part);
+        if (cut->kind == slabs.axis)
+            insert_cut(&slabs, i, part, cut);
+        else
+            i++;
+    }
+    return slabs;
+}
+
+struct emitter {
+    const struct job *job;
+    struct csg_cells *cells;
+    CSG_ARRAY(struct pending {
+        struct place place;
+        size_t texel;
+        size_t depth;
+    })
+    pending;
+};
+
+static bool add_texels(struct csg_cells *cells, size_t num)
+{
+    if (cells->texels.num / 4 + num > MAX_TEXELS || !csg_array_reserve(&cells->texels, 4 * num))
+        return false;
+    memset(cells->texels.data + cells->texels.num, 0, 4 * num * sizeof *cells->texels.data);
+    cells->texels.num += 4 * num;
+    return true;
+}
+
+static bool emit_cell(struct emitter *emitter, const struct pending *pending,
+                      const struct csg_branch *branch)
+{
+    struct csg_cells *cells = emitter->cells;
+    const size_t first = cells->texels.num / 4, num = branch->end - branch->first;
+    if (!add_texels(cells, num))
+        return false;
+    memcpy(cells->texels.data + 4 * first,
+           pending->place.builder->records.data + 4 * (size_t)branch->first,
+           4 * num * sizeof *cells->texels.data);
+    float *texel = cells->texels.data + 4 * pending->texel;
+    texel[0] = (float)first;
+    texel[1] = (float)(first + num);
+    texel[3] = CSG_BRANCH_CELL;
+    return true;
+}
+
+static bool emit_split(struct emitter *emitter, const struct pending *pending,
+                       const struct csg_branch *branch)
+{
+    struct csg_cells *cells = emitter->cells;
+    const struct slabs slabs = gather_slabs(emitter->job, pending->place, branch);
+    const size_t padding = (4 - cells->texels.num / 4 % 4) % 4;
+    const size_t first = cells->texels.num / 4 + padding;
+    const double lo = csg_vec3_component(cells->box.lo, slabs.axis);
+    const double hi = csg_vec3_component(cells->box.hi, slabs.axis);
+    if (!add_texels(cells, padding + (size_t)slabs.num))
+        return false;
+    float *texel = cells->texels.data + 4 * pending->texel;
+    for (int i = 0; i < MAX_SLABS - 1; i++)
+        texel[i] = i < slabs.num - 1 ? (float)(slabs.at[i] - 0.5 * (lo + hi)) : CSG_CELL_NOWHERE;
+    texel[3] = (float)(first + (size_t)slabs.axis);
+    const size_t depth = pending->depth + 1;
+    cells->depth = depth > cells->depth ? depth : cells->depth;
+    for (int i = slabs.num; i-- > 0;)
+        if (!csg_array_push(&emitter->pending,
+                            ((struct pending){slabs.parts[i], first + (size_t)i, depth})))
+            return false;
+    return true;
+}
+
+static bool emit_all(struct emitter *emitter)
+{
+    const struct pending root = {{&emitter->job->top, 0}, 0, 0};
+    bool ok = add_texels(emitter->cells, 1) && csg_array_push(&emitter->pending, root);
+    while (ok && emitter->pending.num) {
+        struct pending pending = emitter->pending.data[--emitter->pending.num];
+        const struct csg_branch *branch = follow(emitter->job, &pending.place);
+        ok = branch->kind == CSG_BRANCH_CELL ? emit_cell(emitter, &pending, branch)
+                                             : emit_split(emitter, &pending, branch);
+    }
+    free(emitter->pending.data);
+    return ok;
+}
+
+static void finish_job(struct job *job)
+{
+    for (size_t i = 0; i < job->top.work.num && job->parts; i++)
+        csg_cell_builder_finish(&job->parts[i]);
+    free(job->parts);
+    csg_cell_builder_finish(&job->top);
+    free(job->places);
+    free(job->is_box);
+}
+
+struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
+                                   const struct csg_object *object)
+{
+    struct csg_cells *cells = calloc(1, sizeof *cells);
+    struct job job = {.top = {0}};
+    if (!cells)
+        return NULL;
+    const double size = csg_length(csg_sub(object->box.hi, object->box.lo));
+    const struct csg_vec3 room = csg_vec3(4 * MARGIN * size, 4 * MARGIN * size, 4 * MARGIN * size);
+    cells->margin = MARGIN * size;
+    cells->box = (struct csg_box){csg_sub(object->box.lo, room), csg_add(object->box.hi, room)};
+    struct emitter emitter = {&job, cells, {0}};
+    const bool ok = build(&job, scene, object, cells) && emit_all(&emitter);
+    finish_job(&job);
+    if (ok)
+        return cells;
+    csg_cells_destroy(cells);
+    return NULL;
+}
+
+void csg_cells_destroy(struct csg_cells *cells)
+{
+    if (!cells)
+        return;
+    free(cells->texels.data);
+    free(cells);
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CELLS_CELLS_H
+#define CSG_CELLS_CELLS_H
+
+/*
+ * Large objects cut into cells: boxes in space, each with the part of the tree that matters in it.
+ * A ray walks from cell to cell (shaders/csg/walk.glsl), so it meets only what is near it. Cells
+ * depend on the scene alone, not on the view.
+ */
+
+#include "csg/object.h"
+
+/* Faces that a record of a cell names, 8 bits each, counted from 1. */
+#define CSG_CELL_FACES 4
+#define CSG_CELL_FACE_BITS 8
+
+/* Flags of a record are below this; above them is the fourth face. */
+#define CSG_CELL_FLAGS 1024
+
+struct csg_cells {
+    struct csg_box box; /* the root; larger than the object by margin at least */
+    double margin;      /* a cell's tree holds that far around it, in scene units */
+    /*
+     * Texels, four floats each; all places count from the first one, which is the root.
+     *     split   three places across an axis, from the box's center, CSG_CELL_NOWHERE where there
+     *             are fewer; place of the first child, a multiple of 4, + axis
+     *     cell    first record, end of the records, 0, 3
+     *     record  three faces, flags and the fourth face, place of the leaf's terms, leaf
+     * The children of a split, one more than it has places, follow one another.
+     */
+    CSG_ARRAY(float) texels;
+    size_t depth; /* of splits */
+    bool nested;  /* some cell's tree is no chain: its program needs a stack */
+};
+
+#define CSG_CELL_NOWHERE 1e20f
+
+/* The cells of an object that can be cut so. NULL: out of memory, or they do not fit their texture.
+ */
+struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
+                                   const struct csg_object *object);
+void csg_cells_destroy(struct csg_cells *cells);
+
+/* Whether an object can be cut into cells: bounded, without surfaces of triangles, its leaves of at
+ * most 255 faces. */
+bool csg_cells_can_hold(const struct csgcast_scene *scene, const struct csg_object *object);
+
+#endif

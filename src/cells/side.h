@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CELLS_SIDE_H
+#define CSG_CELLS_SIDE_H
+
+/* How boxes lie to leaves and to their faces: conservative, in double. */
+
+#include "csg/carrier.h"
+
+/* Whether the leaf is a box along the axes. */
+bool csg_side_is_box(const struct csgcast_scene *scene, uint32_t leaf);
+
+/* What is known of the leaf's set in the box: CSG_VARIES where that is not certain. */
+uint8_t csg_side_of_leaf(const struct csgcast_scene *scene, uint32_t leaf, bool is_box,
+                         const struct csg_box *box);
+
+/* Whether a plane or the quadric of the leaf may pass through the box; else the box is inside. The
+ * leaf itself meets it. */
+bool csg_side_plane_varies(const struct csgcast_scene *scene, struct csg_face face,
+                           const struct csg_box *box);
+bool csg_side_quadric_varies(const struct csgcast_scene *scene, uint32_t leaf,
+                             const struct csg_box *box);
+
+#endif

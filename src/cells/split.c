@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+#include "cells/split.h"
+
+#include <stdlib.h>
+
+/* Leaves at whose ends cuts are tried: the largest, which leave the largest cells empty, and some
+ * of all the others. */
+#define NUM_LARGEST 8
+#define NUM_OTHERS 8
+#define MAX_PLACES (2 * (NUM_LARGEST + NUM_OTHERS) + 1)
+
+/* What a cut costs a ray, in literals. */
+#define COST_OF_CUT 0.5
+
+/* The share of a box that a hole has to take. */
+#define CARVED_SHARE 0.02
+
+struct places {
+    double at[MAX_PLACES];
+    size_t num;
+    size_t begun[MAX_PLACES + 1], ended[MAX_PLACES + 1]; /* leaves between two places */
+};
+
+double csg_split_area(const struct csg_box *box)
+{
+    const struct csg_vec3 d = csg_sub(box->hi, box->lo);
+    return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *split, bool upper)
+{
+    struct csg_box part = *box;
+    struct csg_vec3 *end = upper ? &part.lo : &part.hi;
+    *(split->axis == 0 ? &end->x : split->axis == 1 ? &end->y : &end->z) = split->at;
+    return part;
+}
+
+static bool collect(struct csg_splitter *splitter, const struct csg_box *box,
+                    const struct csg_tree *tree)
+{
+    splitter->leaves.num = 0;
+    if (!csg_array_reserve(&splitter->leaves, tree->num))
+        return false;
+    for (size_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF)
+            splitter->leaves.data[splitter->leaves.num++] = (struct csg_split_leaf){
+                csg_box_intersection(box, &splitter->scene->leaves[node->leaf].box), node->negated,
+                splitter->is_box[node->leaf]};
+    }
+    return true;
+}
+
+static int compare_places(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* Places of the largest boxes, by area, the first of equal ones first. */
+static size_t find_largest(const struct csg_splitter *splitter, size_t largest[NUM_LARGEST])
+{
+    double areas[NUM_LARGEST];
+    size_t num = 0;
+    for (size_t i = 0; i < splitter->leaves.num; i++) {
+        const double own = csg_split_area(&splitter->leaves.data[i].box);
+        if (num == NUM_LARGEST && own <= areas[num - 1])
+            continue;
+        size_t at = num < NUM_LARGEST ? num++ : num - 1;
+        for (; at > 0 && areas[at - 1] < own; at--) {
+            areas[at] = areas[at - 1];
+            largest[at] = largest[at - 1];
+        }
+        areas[at] = own;
+        largest[at] = i;
+    }
+    return num;
+}
+
+/* Beside the end on the side where nothing is left: that cell is then empty. */
+static void add_ends(const struct csg_splitter *splitter, const struct csg_box *box,
+                     const struct csg_split_leaf *leaf, int axis, struct places *places)
+{
+    const double off = (leaf->negated ? 2 : -2) * splitter->margin;
+    const double lo = csg_vec3_component(box->lo, axis) + 4 * splitter->margin;
+    const double hi = csg_vec3_component(box->hi, axis) - 4 * splitter->margin;
+    const double ends[2] = {csg_vec3_component(leaf->box.lo, axis) + off,
+                            csg_vec3_component(leaf->box.hi, axis) - off};
+    for (int i = 0; i < 2; i++)
+        if (ends[i] > lo && ends[i] < hi)
+            places->at[places->num++] = ends[i];
+}
+
+static void find_places(const struct csg_splitter *splitter, const struct csg_box *box,
+                        const size_t *largest, size_t num_largest, int axis, struct places *places)
+{
+    const size_t num = splitter->leaves.num;
+    const size_t step = num > NUM_OTHERS ? num / NUM_OTHERS : 1;
+    places->num = 0;
+    for (size_t i = 0; i < num_largest; i++)
+        add_ends(splitter, box, &splitter->leaves.data[largest[i]], axis, places);
+    for (size_t i = 0; i < NUM_OTHERS && i * step < num; i++)
+        add_ends(splitter, box, &splitter->leaves.data[i * step], axis, places);
+    const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
+    if (hi - lo > 16 * splitter->margin)
+        places->at[places->num++] = 0.5 * (lo + hi);
+    if (places->num)
+        qsort(places->at, places->num, sizeof *places->at, compare_places);
+}
+
+/* How many places are below key. */
+static size_t places_below(const struct places *places, double key)
+{
+    size_t lo = 0, hi = places->num;
+    while (lo < hi) {
+        const size_t mid = (lo + hi) / 2;
+        if (places->at[mid] < key)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return lo;
+}
+
+static void count_leaves(const struct csg_splitter *splitter, int axis, struct places *places)
+{
+    for (size_t i = 0; i <= places->num; i++)
+        places->begun[i] = places->ended[i] = 0;
+    for (size_t i = 0; i < splitter->leaves.num; i++) {
+        const struct csg_box *leaf = &splitter->leaves.data[i].box;
+        const double margin = splitter->margin;
+        places->begun[places_below(places, csg_vec3_component(leaf->lo, axis) - margin)]++;
+        places->ended[places_below(places, csg_vec3_component(leaf->hi, axis) + margin)]++;
+    }
+}
+
+static void choose(const struct csg_box *box, int axis, const struct places *places, size_t num,
+                   struct csg_split *best)
+{
+    size_t below = 0, above = num;
+    for (size_t i = 0; i < places->num; i++) {
+        below += places->begun[i];
+        above -= places->ended[i];
+        struct csg_split split = {axis, places->at[i], 0};
+        const struct csg_box lower = csg_split_box(box, &split, false);
+        const struct csg_box upper = csg_split_box(box, &split, true);
+        split.cost = COST_OF_CUT + ((double)below * csg_split_area(&lower) +
+                                    (double)above * csg_split_area(&upper)) /
+                                       csg_split_area(box);
+        if (split.cost < best->cost)
+            *best = split;
+    }
+}
+
+static double volume(const struct csg_box *box)
+{
+    const struct csg_vec3 d = csg_sub(box->hi, box->lo);
+    return d.x * d.y * d.z;
+}
+
+/* A cut along the largest hole that takes a good part of the box away: of several such cuts one
+ * leaves an empty cell, which the heuristic does not foresee. */
+static bool find_carving(const struct csg_splitter *splitter, const struct csg_box *box,
+                         struct csg_split *split)
+{
+    const struct csg_split_leaf *best = NULL;
+    double most = CARVED_SHARE * volume(box);
+    for (size_t i = 0; i < splitter->leaves.num; i++) {
+        const struct csg_split_leaf *leaf = &splitter->leaves.data[i];
+        if (leaf->negated && leaf->is_box && volume(&leaf->box) > most) {
+            most = volume(&leaf->box);
+            best = leaf;
+        }
+    }
+    double share = 0;
+    for (int axis = 0; axis < 3 && best; axis++) {
+        struct places places = {.num = 0};
+        const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
+        add_ends(splitter, box, best, axis, &places);
+        for (size_t i = 0; i < places.num; i++) {
+            const double off = fmin(places.at[i] - lo, hi - places.at[i]) / (hi - lo);
+            if (off > share) {
+                share = off;
+                *split = (struct csg_split){axis, places.at[i], 0};
+            }
+        }
+    }
+    return share > 0;
+}
+
+bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
+                    const struct csg_tree *tree, struct csg_split *split)
+{
+    size_t largest[NUM_LARGEST];
+    if (!collect(splitter, box, tree))
+        return false;
+    const size_t num = splitter->leaves.num, num_largest = find_largest(splitter, largest);
+    *split = (struct csg_split){.axis = -1, .cost = (double)num};
+    if (find_carving(splitter, box, split))
+        return true;
+    for (int axis = 0; axis < 3; axis++) {
+        struct places places;
+        find_places(splitter, box, largest, num_largest, axis, &places);
+        count_leaves(splitter, axis, &places);
+        choose(box, axis, &places, num, split);
+    }
+    return split->axis >= 0;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CELLS_SPLIT_H
+#define CSG_CELLS_SPLIT_H
+
+/* Where to cut a box: by the surface area heuristic (MacDonald and Booth 1990). */
+
+#include "csg/object.h"
+
+struct csg_split {
+    int axis; /* 0, 1, 2 */
+    double at;
+    double cost; /* expected literals a ray of the box meets, cuts included */
+};
+
+/* Zero-initialise it. */
+struct csg_splitter {
+    const struct csgcast_scene *scene;
+    const bool *is_box; /* by leaf: all of its box, see csg_side_is_box */
+    double margin;      /* of the cells; cuts keep off what they cut at by twice that */
+    CSG_ARRAY(struct csg_split_leaf {
+        struct csg_box box; /* of what is in the box at hand */
+        bool negated;
+        bool is_box; /* it is all of its box */
+    })
+    leaves;
+};
+
+/* The best cut of the box with that tree. false: none, or out of memory. */
+bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
+                    const struct csg_tree *tree, struct csg_split *split);
+
+static inline double csg_vec3_component(struct csg_vec3 a, int axis)
+{
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+/* The box with one of its ends moved. */
+/* Half of the box's surface. */
+double csg_split_area(const struct csg_box *box);
+
+struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *split, bool upper);
+
+#endif

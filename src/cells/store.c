@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "cells/store.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+
+struct entry {
+    struct csg_cells *cells;
+    bool asked;
+};
+
+struct csg_cells_store {
+    pthread_mutex_t mutex; /* several renderers may draw one scene */
+    struct entry *entries; /* by object */
+    size_t num;
+};
+
+struct csg_cells_store *csg_cells_store_create(const struct csgcast_scene *scene)
+{
+    struct csg_cells_store *store = calloc(1, sizeof *store);
+    if (!store)
+        return NULL;
+    store->num = scene->objects->num;
+    store->entries = calloc(store->num + 1, sizeof *store->entries);
+    if (store->entries && pthread_mutex_init(&store->mutex, NULL) == 0)
+        return store;
+    free(store->entries);
+    free(store);
+    return NULL;
+}
+
+void csg_cells_store_destroy(struct csg_cells_store *store)
+{
+    if (!store)
+        return;
+    for (size_t i = 0; i < store->num; i++)
+        csg_cells_destroy(store->entries[i].cells);
+    free(store->entries);
+    pthread_mutex_destroy(&store->mutex);
+    free(store);
+}
+
+const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object)
+{
+    struct csg_cells_store *store = scene->cells;
+    struct entry *entry = &store->entries[object];
+    const struct csg_object *of = &scene->objects->data[object];
+    pthread_mutex_lock(&store->mutex);
+    if (!entry->asked && csg_cells_can_hold(scene, of))
+        entry->cells = csg_cells_create(scene, of);
+    entry->asked = true;
+    pthread_mutex_unlock(&store->mutex);
+    return entry->cells;
+}

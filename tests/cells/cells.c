@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ *     cells egl|osmesa ROUNDS
+ *
+ * Draws scenes in cells and by the loop over whole trees: leaf, depth and normal of every pixel
+ * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
+ * holes, nested cubes in one place, and random trees, on a grid (faces coincide) and off it.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "csgcast/csgcast.h"
+#include "random_scene.h"
+
+enum { SIZE = 160 };
+
+struct picture {
+    float z[SIZE * SIZE], normal[SIZE * SIZE * 3], id[SIZE * SIZE];
+};
+
+struct text {
+    char *data;
+    size_t num, capacity;
+};
+
+static void put(struct text *text, const char *format, ...)
+{
+    va_list args;
+    if (text->num + 256 > text->capacity) {
+        text->capacity = 2 * text->capacity + 256;
+        text->data = realloc(text->data, text->capacity);
+        if (!text->data)
+            abort();
+    }
+    va_start(args, format);
+    text->num += (size_t)vsnprintf(text->data + text->num, 256, format, args);
+    va_end(args);
+}
+
+static const char *const turns[3] = {"[0,0,0]", "[90,0,0]", "[0,90,0]"};
+
+/* Squares of a sponge's side, each a box through the whole cube along each axis. */
+static void put_holes(struct text *text, int level, double x, double y, double size)
+{
+    const double third = size / 3;
+    if (level == 0)
+        return;
+    for (int axis = 0; axis < 3; axis++)
+        put(text, "rotate(%s) translate([%.17g,%.17g,-20]) cube([%.17g,%.17g,40]);\n", turns[axis],
+            x + third, y + third, third, third);
+    for (int i = 0; i < 9; i++)
+        if (i != 4)
+            put_holes(text, level - 1, x + i % 3 * third, y + i / 3 * third, third);
+}
+
+static char *sponge(void)
+{
+    struct text text = {0};
+    put(&text, "difference() { cube(27, center = true);\n");
+    put_holes(&text, 3, -13.5, -13.5, 27);
+    put(&text, "}\n");
+    return text.data;
+}
+
+static char *plate(void)
+{
+    struct text text = {0};
+    put(&text, "difference() { rotate([20,30,40]) cube([60,60,4]);\n");
+    for (int i = 0; i < 16 * 16; i++)
+        put(&text, "rotate([20,30,40]) translate([%g,%g,-1]) cylinder(h = 6, r1 = 1.2, r2 = %g);\n",
+            2 + 3.7 * (i % 16), 2 + 3.7 * (i / 16), 0.4 + 0.05 * (i % 7));
+    put(&text, "}\n");
+    return text.data;
+}
+
+static char *nest(void)
+{
+    struct text text = {0};
+    put(&text, "intersection() { sphere(12); union() {\n");
+    for (int i = 1; i < 200; i++)
+        put(&text, "rotate([%d,0,%d]) cube(%g, center = true);\n", i, 2 * i, 0.1 * i);
+    put(&text, "}}\n");
+    return text.data;
+}
+
+static bool draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                 struct csgcast_view *view, const char *variant, struct picture *picture)
+{
+    const struct csgcast_image image = {
+        .z = picture->z, .normal = picture->normal, .id = picture->id};
+    view->variant = variant;
+    return csgcast_render(renderer, scene, view, &image);
+}
+
+static const struct csgcast_camera cameras[] = {
+    {0},
+    {.kind = CSGCAST_CAMERA_GIMBAL, .rotate = {90, 0, 0}, .viewall = true, .autocenter = true},
+    {.kind = CSGCAST_CAMERA_GIMBAL,
+     .rotate = {110, 20, 200},
+     .projection = CSGCAST_ORTHOGRAPHIC,
+     .viewall = true,
+     .autocenter = true},
+    {.kind = CSGCAST_CAMERA_VECTOR, .eye = {1.3, -2.1, 0.7}, .center = {5, 4, 3}, .fov = 70},
+    {.kind = CSGCAST_CAMERA_VECTOR, .eye = {40, -35, 30}, .center = {0, 4, 1}, .fov = 60},
+};
+
+/* in_cells: whether the scene must be drawn so at least once. */
+static bool check(struct csgcast_renderer *renderer, const char *name, char *text, bool in_cells)
+{
+    static struct picture cells, loop;
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
+    bool ok = scene != NULL, used = false;
+    for (size_t i = 0; ok && i < sizeof cameras / sizeof *cameras; i++) {
+        struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = cameras[i]};
+        struct csgcast_stats stats;
+        ok = draw(renderer, scene, &view, "cells", &cells);
+        csgcast_renderer_get_stats(renderer, &stats);
+        used |= strstr(stats.variants, "cells") != NULL;
+        ok = ok && draw(renderer, scene, &view, "loop", &loop);
+        if (ok && memcmp(&cells, &loop, sizeof cells) != 0) {
+            printf("FAIL %s, camera %zu: cells and loop differ\n", name, i);
+            ok = false;
+        }
+    }
+    if (ok && in_cells && !used) {
+        printf("FAIL %s: never drawn in cells\n", name);
+        ok = false;
+    }
+    csgcast_scene_destroy(scene);
+    free(text);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3)
+        return 2;
+    const struct csgcast_renderer_params params = {
+        .backend = strcmp(argv[1], "egl") == 0 ? CSGCAST_BACKEND_EGL : CSGCAST_BACKEND_OSMESA};
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    if (!renderer)
+        return 1;
+    bool ok = check(renderer, "sponge", sponge(), true) & check(renderer, "plate", plate(), true) &
+              check(renderer, "nest", nest(), true);
+    struct random_state random = {2026};
+    for (int i = 0; i < atoi(argv[2]); i++) {
+        const struct random_params tree = {2 + i % 7, 8 + i * 11 % 60, i % 2 ? 1 : 0, i % 3 == 0};
+        char name[32];
+        snprintf(name, sizeof name, "random %d", i);
+        ok &= check(renderer, name, random_scene(&random, &tree), false);
+    }
+    csgcast_renderer_destroy(renderer);
+    return !ok;
+}
