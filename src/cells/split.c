@@ -9,6 +9,12 @@
 #define NUM_OTHERS 8
 #define MAX_PLACES (2 * (NUM_LARGEST + NUM_OTHERS) + 1)
 
+/* So many solids are worth a cut even where their boxes promise nothing. */
+#define MANY_LEAVES 8
+
+/* Boxes are not halved below this size, in margins. */
+#define SMALLEST 32
+
 /* What a cut costs a ray, in literals. */
 #define COST_OF_CUT 0.5
 
@@ -102,7 +108,7 @@ static void find_places(const struct csg_splitter *splitter, const struct csg_bo
     for (size_t i = 0; i < NUM_OTHERS && i * step < num; i++)
         add_ends(splitter, box, &splitter->leaves.data[i * step], axis, places);
     const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
-    if (hi - lo > 16 * splitter->margin)
+    if (hi - lo > SMALLEST * splitter->margin)
         places->at[places->num++] = 0.5 * (lo + hi);
     if (places->num)
         qsort(places->at, places->num, sizeof *places->at, compare_places);
@@ -188,6 +194,18 @@ static bool find_carving(const struct csg_splitter *splitter, const struct csg_b
     return share > 0;
 }
 
+/* In the middle of the longest side: of solids askew, whose boxes say little, either half may miss
+ * many. */
+static void halve(const struct csg_splitter *splitter, const struct csg_box *box,
+                  struct csg_split *split)
+{
+    const struct csg_vec3 d = csg_sub(box->hi, box->lo);
+    const int axis = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+    const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
+    if (hi - lo > SMALLEST * splitter->margin)
+        *split = (struct csg_split){axis, 0.5 * (lo + hi), 0};
+}
+
 bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
                     const struct csg_tree *tree, struct csg_split *split)
 {
@@ -204,5 +222,7 @@ bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
         count_leaves(splitter, axis, &places);
         choose(box, axis, &places, num, split);
     }
+    if (split->axis < 0 && num > MANY_LEAVES)
+        halve(splitter, box, split);
     return split->axis >= 0;
 }

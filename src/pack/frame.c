@@ -150,8 +150,8 @@ static void note_stiff(struct packer *packer, uint32_t index)
 
 /* Solids a pixel is tested against in tiles, from which on cells are faster: where the tree is one
  * row of solids, and where it is nested. */
-#define MAX_TESTS 4
-#define MAX_NESTED_TESTS 16
+#define MAX_TESTS 6
+#define MAX_NESTED_TESTS 64
 
 static bool is_nested(const struct packer *packer, const struct csg_object *object)
 {
