@@ -6,7 +6,8 @@
  * their cells, so where exactly the ray changes from one to the other does not matter.
  */
 
-flat in vec4 csg_handed[CSG_WALK_HEADER]; /* CSG_WALK_HEADER says of what */
+#define CSG_NUM_HANDED CSG_WALK_HEADER
+flat in vec4 csg_handed[CSG_NUM_HANDED];
 
 float csg_walk_key(float s)
 {
