@@ -30,9 +30,8 @@ set_target_properties(csgcast-tool PROPERTIES OUTPUT_NAME csgcast
 
 # What ./run render needs: the tool, and the module where it can be built.
 add_custom_target(csgcast-runtime DEPENDS csgcast-tool)
-if(TARGET csgcast-image)
-    add_dependencies(csgcast-runtime csgcast-image)
-endif()
-if(TARGET csgcast-compare)
-    add_dependencies(csgcast-runtime csgcast-compare)
-endif()
+foreach(module image text tess clip compare)
+    if(TARGET csgcast-${module})
+        add_dependencies(csgcast-runtime csgcast-${module})
+    endif()
+endforeach()
