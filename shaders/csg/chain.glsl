@@ -35,7 +35,7 @@ float csg_chain_next(vec4 head, csg_span span, float k, float result)
 {
     bool all = csg_chain_is(head, CSG_RECORD_AND);
     float value = csg_chain_value(head, span, all ? result : k);
-    return all ? max(result, value) : min(result, value);
+    return all ? value : min(result, value); /* what is asked at result is never before it */
 }
 
 csg_change csg_chain_literal(vec4 head, float leaf, csg_span span, int begin, float k)

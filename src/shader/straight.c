@@ -112,6 +112,16 @@ static void fill_leaves(const struct csg_structure *structure, struct leaf_code 
     }
 }
 
+static void add_next_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
+                           const struct leaf_code *leaves, const char *at)
+{
+    const char *side = structure->steps[i].flags & CSG_RECORD_NEGATED ? "outside" : "inside";
+    if (leaves[i].gap)
+        csg_text_add(text, "csg_%s_gap(%s, s%zu.key, g%zu)", side, at, i, i);
+    else
+        csg_text_add(text, "csg_%s(%s, s%zu.key)", side, at, i);
+}
+
 /* Runs the steps once more over registers r0, r1, ...; value writes a leaf's value. */
 static void add_steps(struct csg_text *text, const struct csg_structure *structure,
                       const char *indent, const char *all, const char *any,
@@ -129,7 +139,10 @@ static void add_steps(struct csg_text *text, const struct csg_structure *structu
             continue;
         }
         top += flags & CSG_RECORD_PUSH ? 1 : 0;
-        if (flags & CSG_RECORD_START)
+        /* What is asked at r is never before r: there is no maximum to take. */
+        const bool alone =
+            flags & CSG_RECORD_START || (flags & CSG_RECORD_AND && value == add_next_value);
+        if (alone)
             csg_text_add(text, "%sr%d = ", indent, top);
         else
             csg_text_add(text, "%sr%d = %s(r%d, ", indent, top, op, top);
@@ -138,18 +151,8 @@ static void add_steps(struct csg_text *text, const struct csg_structure *structu
         if (flags & CSG_RECORD_AND && !(flags & CSG_RECORD_START))
             snprintf(at, sizeof at, "r%d", top);
         value(text, structure, i, leaves, at);
-        csg_text_add(text, flags & CSG_RECORD_START ? ";\n" : ");\n");
+        csg_text_add(text, alone ? ";\n" : ");\n");
     }
-}
-
-static void add_next_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
-                           const struct leaf_code *leaves, const char *at)
-{
-    const char *side = structure->steps[i].flags & CSG_RECORD_NEGATED ? "outside" : "inside";
-    if (leaves[i].gap)
-        csg_text_add(text, "csg_%s_gap(%s, s%zu.key, g%zu)", side, at, i, i);
-    else
-        csg_text_add(text, "csg_%s(%s, s%zu.key)", side, at, i);
 }
 
 static void add_change_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
