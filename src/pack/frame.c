@@ -148,11 +148,11 @@ static void note_stiff(struct packer *packer, uint32_t index)
 /* Smaller objects are drawn in tiles whatever they are. */
 #define MIN_CELL_LEAVES 200
 
-/* Solids a pixel is tested against in tiles, from which on cells are faster: where the tree is one
- * row of solids, and where it is nested. */
+/* Solids a pixel is tested against in tiles, from which on cells are faster; few: certainly not. */
 #define MAX_TESTS 6
-#define MAX_NESTED_TESTS 64
+#define FEW_TESTS 4
 
+/* Rows of solids only: the stack that nested trees need makes cells slower than tiles. */
 static bool is_nested(const struct packer *packer, const struct csg_object *object)
 {
     const struct csg_node *nodes = packer->scene->trees[object->layer].data;
@@ -175,11 +175,12 @@ static bool choose_cells(const struct packer *packer, const struct csg_object *o
         draw->precise || !csg_walk_can_see(&packer->frame->screen, &object->box))
         return true;
     if (use == CSG_CELLS_WHERE_BETTER) {
-        if (packer->terms.leaves.num < MIN_CELL_LEAVES || packer->terms.views.num)
+        if (packer->terms.leaves.num < MIN_CELL_LEAVES || packer->terms.views.num ||
+            is_nested(packer, object))
             return true;
-        if (!csg_tile_sample(&packer->terms, object, rect, draw, &tests))
+        if (!csg_tile_sample(&packer->terms, object, rect, draw, FEW_TESTS, &tests))
             return false;
-        if (tests < (is_nested(packer, object) ? MAX_NESTED_TESTS : MAX_TESTS))
+        if (tests < MAX_TESTS)
             return true;
     }
     *cells = csg_cells_of(packer->scene, draw->object);

@@ -129,30 +129,46 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
 
 #define SAMPLES 3 /* across and down */
 
-bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw, double *tests)
+static struct csg_tile_area sample_area(const struct csg_rect *rect, size_t x, size_t y)
 {
-    struct pane panes[SAMPLES * SAMPLES] = {{.ok = false}};
-    struct job job = {terms, object, draw, panes, SAMPLES * SAMPLES};
-    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        const int at[2] = {i % SAMPLES, i / SAMPLES};
-        struct csg_tile_area *area = &panes[i].area;
-        for (int j = 0; j < 2; j++) {
-            const double size = rect->hi[j] - rect->lo[j];
-            area->lo[j] = (int)floor(rect->lo[j] + (at[j] + 0.5) / SAMPLES * size);
-            area->hi[j] = area->lo[j] + 2 * CSG_TILE_SIZE;
-        }
-        area->max_texels = CSG_MAX_TILED_TEXELS;
+    const size_t at[2] = {x, y};
+    struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS};
+    for (int i = 0; i < 2; i++) {
+        const double size = rect->hi[i] - rect->lo[i];
+        area.lo[i] = (int)floor(rect->lo[i] + ((double)at[i] + 0.5) / SAMPLES * size);
+        area.hi[i] = area.lo[i] + 2 * CSG_TILE_SIZE; /* cut twice, as trees fold better then */
     }
-    csg_parallel(job.num, tile_pane, &job);
-    double num_tests = 0, num_pixels = 0;
+    return area;
+}
+
+/* Adds a row of samples. */
+static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row, double *tests,
+                       double *pixels)
+{
     bool ok = true;
-    for (size_t i = 0; i < job.num; i++) {
-        ok &= panes[i].ok;
-        num_tests += (double)panes[i].frame.solid_tests;
-        num_pixels += (double)panes[i].frame.proxy_pixels;
-        csg_frame_finish(&panes[i].frame);
+    for (size_t i = 0; i < SAMPLES; i++)
+        job->panes[i] = (struct pane){.area = sample_area(rect, i, row)};
+    csg_parallel(job->num, tile_pane, job);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        ok &= job->panes[i].ok;
+        *tests += (double)job->panes[i].frame.solid_tests;
+        *pixels += (double)job->panes[i].frame.proxy_pixels;
+        csg_frame_finish(&job->panes[i].frame);
     }
-    *tests = num_pixels > 0 ? num_tests / num_pixels : 0;
     return ok;
+}
+
+bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_rect *rect, const struct csg_draw *draw, double few,
+                     double *tests)
+{
+    static const size_t rows[SAMPLES] = {1, 0, 2};
+    struct pane panes[SAMPLES];
+    struct job job = {terms, object, draw, panes, SAMPLES};
+    double num_tests = 0, num_pixels = 0;
+    for (size_t i = 0; i < SAMPLES && (i == 0 || num_tests > few * num_pixels); i++)
+        if (!sample_row(&job, rect, rows[i], &num_tests, &num_pixels))
+            return false;
+    *tests = num_pixels > 0 ? num_tests / num_pixels : 0;
+    return true;
 }
