@@ -149,33 +149,35 @@ static void reach_box(bool orthographic, const struct seen *center, const struct
 }
 
 /*
- * The tangents to a ball's disc around (c, t) have the slopes (c t -+ r sqrt(c^2 + q)) / q with
- * q = t^2 - r^2.
+ * The tangents to a ball's disc around (c, t) have the slopes (c t -+ r sqrt(c^2 + t^2 - r^2)) q, with
+ * q = 1 / (t^2 - r^2).
  */
 static void reach_ball(bool orthographic, const struct csg_seen_ball *ball, struct reach *reach)
 {
-    const double r = ball->radius, q = orthographic ? 1 : ball->t * ball->t - r * r;
+    const double r = ball->radius, q = 1 / (ball->t * ball->t - r * r);
     extend_near(reach, ball->t - r);
     for (int i = 0; i < 2; i++) {
         if (orthographic)
             extend(reach, i, ball->c[i], r);
         else
-            extend(reach, i, ball->c[i] * ball->t / q, r * sqrt(ball->c[i] * ball->c[i] + q) / q);
+            extend(reach, i, q * ball->c[i] * ball->t,
+                   q * r * sqrt(ball->c[i] * ball->c[i] + ball->t * ball->t - r * r));
     }
 }
 
 /* The pixels whose centres lie between; false: none. */
 static bool pixel_range(double lo, double hi, double size, int16_t *first, int16_t *last)
 {
-    lo = ceil(lo - 0.5 - MARGIN);
-    hi = floor(hi - 0.5 + MARGIN);
+    lo -= 0.5 + MARGIN;
+    hi -= 0.5 - MARGIN;
+    if (!(lo <= size - 1) || !(hi >= 0))
+        return false;
     lo = lo > 0 ? lo : 0;
     hi = hi < size - 1 ? hi : size - 1;
-    if (!(lo <= hi))
-        return false;
     *first = (int16_t)lo;
+    *first = (int16_t)(*first + (*first < lo)); /* rounded up */
     *last = (int16_t)hi;
-    return true;
+    return *first <= *last;
 }
 
 bool csg_outline_project(const struct csg_camera *camera, enum csg_outline kind,
