@@ -149,8 +149,8 @@ static void reach_box(bool orthographic, const struct seen *center, const struct
 }
 
 /*
- * The tangents to a ball's disc around (c, t) have the slopes (c t -+ r sqrt(c^2 + t^2 - r^2)) q, with
- * q = 1 / (t^2 - r^2).
+ * The tangents to a ball's disc around (c, t) have the slopes (c t -+ r sqrt(c^2 + t^2 - r^2)) q,
+ * with q = 1 / (t^2 - r^2).
  */
 static void reach_ball(bool orthographic, const struct csg_seen_ball *ball, struct reach *reach)
 {
