@@ -51,7 +51,7 @@ static double tests_per_pixel(const struct csgcast_stats *stats)
     return stats->proxy_pixels ? (double)stats->solid_tests / (double)stats->proxy_pixels : 0;
 }
 
-/* Toledo and Levy 2004, section 3: the share of the pixels that were drawn without showing anything.
+/* Toledo and Levy 2004, section 3: the share of the pixels that were drawn and show nothing.
  * What is hidden by something nearer counts as that, too. */
 static double waste(const struct csgcast_stats *stats)
 {
