@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The float texture with all parameters and programs of a frame. It is a buffer's: where a texture may
- * have levels, llvmpipe asks for the level lane by lane, at two to three times the cost of a fetch. */
+/* The float texture with all parameters and programs of a frame. It is a buffer's: where a texture
+ * may have levels, llvmpipe asks for the level lane by lane, which costs more than the fetch. */
 
 uniform samplerBuffer csg_data;
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Hands over to the fragments what common/screen.glsl and common/light.glsl declare. llvmpipe fetches a uniform for each
- * lane of a fragment program, in some thirty instructions a number; a flat input is simply there.
+ * Hands over to the fragments what common/screen.glsl and common/light.glsl declare. llvmpipe
+ * fetches a uniform for each lane of a fragment program, in some thirty instructions a number; a
+ * flat input is simply there.
  */
 
 uniform vec4 csg_view_depth;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A tree without inner stack: a chain of solids, each joined to what is before it by an intersection
- * or a union. Solids have two entry planes, two exit planes and perhaps a quadric at most; the
- * vertex stage hands all of it over, of the longest chain as much as there is room for, and fragments
- * read the rest once. src/shader/chain.c unrolls the chain over these functions.
+ * A tree without inner stack: a chain of solids, each joined to what is before it by an
+ * intersection or a union. Solids have two entry planes, two exit planes and perhaps a quadric at
+ * most; the vertex stage hands all of it over, of the longest chain as much as there is room for,
+ * and fragments read the rest once. src/shader/chain.c unrolls the chain over these functions.
  */
 
 /* head: flags, record from the object's first, entry planes, planes. */

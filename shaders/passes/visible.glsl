@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a geometry program writes of the visible face: what the shading pass needs, or, where there is
- * none (src/render/direct.h), its colour. */
+/* What a geometry program writes of the visible face: what the shading pass needs, or, where there
+ * is none (src/render/direct.h), its colour. */
 
 #ifdef CSG_DIRECT
 layout(location = 0) out vec4 csg_color;

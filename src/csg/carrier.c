@@ -157,8 +157,8 @@ static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec
     return num_points >= 9;
 }
 
-/* Whether the leaf lay on the carrier before, with nothing changed that decides it: of a leaf without
- * bounds the whole scene does. */
+/* Whether the leaf lay on the carrier before, with nothing changed that decides it: of a leaf
+ * without bounds the whole scene does. */
 static bool was_on(const struct builder *builder, uint32_t leaf, const struct extent *extent,
                    uint32_t carrier, struct csg_face *face)
 {

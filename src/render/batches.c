@@ -294,8 +294,8 @@ static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GL
     return !shows || *rear;
 }
 
-/* Five flat inputs are the object's, the screen's and the light; more than 27 others cost llvmpipe more
- * than they save. */
+/* Five flat inputs are the object's, the screen's and the light; more than 27 others cost llvmpipe
+ * more than they save. */
 static size_t max_handed(struct csg_gl *gl)
 {
     GLint components = 0;
@@ -413,8 +413,9 @@ static bool prepare_single(struct chooser *chooser, uint32_t object,
                                       .num_planes = (uint32_t)shape->num_planes};
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
     ball.ball = run.has_quadric && run.num_planes == 0;
-    return csg_programs_get(&chooser->renderer->programs, csg_source_single(&run, chooser->direct)) &&
-           csg_programs_get(&chooser->renderer->programs, csg_source_single(&ball, chooser->direct)) &&
+    struct csg_programs *programs = &chooser->renderer->programs;
+    return csg_programs_get(programs, csg_source_single(&run, chooser->direct)) &&
+           csg_programs_get(programs, csg_source_single(&ball, chooser->direct)) &&
            (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
             choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
 }

@@ -84,8 +84,8 @@ void csg_numerics_describe(const struct csgcast_renderer *renderer,
 bool csg_upload_frame(struct csgcast_renderer *renderer);
 
 /* Casts the pixels of the band at first_row (from the bottom) that visible marks as
- * CSG_UNFINISHED on the CPU. visible: two words a pixel; NULL where colours were drawn directly, of which
- * the unfinished ones have an alpha of 0. false: out of memory. */
+ * CSG_UNFINISHED on the CPU. visible: two words a pixel; NULL where colours were drawn directly, of
+ * which the unfinished ones have an alpha of 0. false: out of memory. */
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,
                          const uint32_t *visible, int first_row, int num_rows);
 

@@ -7,8 +7,8 @@ static GLuint make_texture(struct csg_gl *gl, GLint internal, GLenum format, GLe
     GLuint texture;
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_RECTANGLE, texture);
-    gl->TexImage2D(GL_TEXTURE_RECTANGLE, 0, internal, targets->width, targets->height, 0, format, type,
-                   NULL);
+    gl->TexImage2D(GL_TEXTURE_RECTANGLE, 0, internal, targets->width, targets->height, 0, format,
+                   type, NULL);
     gl->TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;

@@ -66,7 +66,8 @@ static bool upload_instances(struct csgcast_renderer *renderer)
         return csg_log_memory(&renderer->log);
     for (size_t i = 0; i < num; i++)
         instances[i] = renderer->frame.draws.data[i].instance;
-    fill_buffer(gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances, instances);
+    fill_buffer(gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances,
+                instances);
     free(instances);
     const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
     const size_t crowd_bytes = crowd->runs.num ? crowd->instances.num * sizeof(float) : 0;

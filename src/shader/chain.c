@@ -62,7 +62,8 @@ static struct texel texel_of(const struct csg_chain *chain, int i, int j)
 {
     const int at = slot_size(chain) * (i < chain->handed ? i : i - chain->handed) + j;
     struct texel texel;
-    snprintf(texel.text, sizeof texel.text, "csg_%s[%d]", i < chain->handed ? "handed" : "read", at);
+    const char *name = i < chain->handed ? "handed" : "read";
+    snprintf(texel.text, sizeof texel.text, "csg_%s[%d]", name, at);
     return texel;
 }
 
