@@ -176,8 +176,8 @@ static bool choose_cells(const struct packer *packer, const struct csg_object *o
         return true;
     if (use == CSG_CELLS_WHERE_BETTER) {
         if (packer->terms.leaves.num < MIN_CELL_LEAVES || packer->terms.views.num ||
-            is_nested(packer, object))
-            return true;
+            packer->scene->keeps_structure || is_nested(packer, object))
+            return true; /* an edit would have to make the cells anew, and perhaps a program */
         if (!csg_tile_sample(&packer->terms, object, rect, draw, FEW_TESTS, &tests))
             return false;
         if (tests < MAX_TESTS)

@@ -142,8 +142,9 @@ int main(int argc, char **argv)
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
     if (!renderer)
         return 1;
-    bool ok = check(renderer, "sponge", sponge(), true) & check(renderer, "plate", plate(), true) &
-              check(renderer, "nest", nest(), true);
+    bool ok = check(renderer, "sponge", sponge(), true);
+    ok &= check(renderer, "plate", plate(), true);
+    ok &= check(renderer, "nest", nest(), true);
     struct random_state random = {2026};
     for (int i = 0; i < atoi(argv[2]); i++) {
         const struct random_params tree = {2 + i % 7, 8 + i * 11 % 60, i % 2 ? 1 : 0, i % 3 == 0};
