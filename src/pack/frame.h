@@ -64,6 +64,7 @@ struct csg_frame_params {
     const void *user;
     bool textbook;   /* carriers as pack/textbook.h has them */
     bool precise;    /* everything in double */
+    bool leaves;     /* it matters which of two leaves in one place shows, whatever their colours */
     int tile_size;   /* pixels, 0: CSG_TILE_SIZE; else tests have everything drawn in tiles of that
                         size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */

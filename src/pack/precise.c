@@ -9,6 +9,7 @@
 /* The colour of the precise objects' faces by carrier and side: planes, then quadrics. */
 struct marks {
     const struct csgcast_scene *scene;
+    bool leaves; /* each leaf is a colour of its own */
     uint32_t *colors;
     bool changed;
 };
@@ -46,7 +47,7 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
         const uint32_t leaf = nodes[i].leaf;
         if (nodes[i].op != CSG_LEAF || nodes[i].spare)
             continue;
-        const uint32_t color = color_of(&marks->scene->leaves[leaf]);
+        const uint32_t color = marks->leaves ? leaf + 2 : color_of(&marks->scene->leaves[leaf]);
         for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
             found |= visit_face(marks, 2 * (size_t)carriers->faces[j].carrier +
                                            (carriers->faces[j].flipped != nodes[i].negated),
@@ -77,9 +78,10 @@ static void spread(struct csg_frame *frame, const struct csg_objects *objects, s
     } while (marks->changed);
 }
 
-static bool spread_to_sharers(struct csg_frame *frame, const struct csgcast_scene *scene)
+static bool spread_to_sharers(struct csg_frame *frame, const struct csgcast_scene *scene,
+                              bool leaves)
 {
-    struct marks marks = {.scene = scene};
+    struct marks marks = {.scene = scene, .leaves = leaves};
     const size_t num = scene->carriers->num_planes + scene->carriers->num_quadrics;
     marks.colors = calloc(2 * num + 1, sizeof *marks.colors);
     const bool ok = marks.colors != NULL;
@@ -111,7 +113,8 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
         }
         num_precise += precision->precise;
     }
-    return num_precise == 0 || num_precise == frame->listed.num || spread_to_sharers(frame, scene);
+    return num_precise == 0 || num_precise == frame->listed.num || 
+           spread_to_sharers(frame, scene, params->leaves);
 }
 
 struct csg_precision csg_frame_precision(const struct csg_frame *frame,

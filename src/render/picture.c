@@ -461,6 +461,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .user = request,
         .textbook = request->textbook,
         .precise = request->resolver == CSG_RESOLVER_DOUBLE,
+        .leaves = request->image->id != NULL,
         .has_double = renderer->gl->has_double,
         .crowds = has_crowds(request),
         .tile_size = request->tile_size,
