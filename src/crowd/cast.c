@@ -71,13 +71,13 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
 /* ---- a row: loops of fixed length without branches, for the compiler to make vectors of ---- */
 
 /* Twice as wide where the processor has them; the choice is made when the library is loaded, which
- * the sanitizers do not bear. */
+ * the sanitizers do not bear. Static: gcc exports clones of what is not. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&   \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define WIDE __attribute__((target_clones("avx2", "default")))
+#define WIDE static __attribute__((target_clones("avx2", "default")))
 #define PART static inline __attribute__((always_inline))
 #else
-#define WIDE
+#define WIDE static
 #define PART static
 #endif
 
@@ -154,7 +154,7 @@ PART void cast_row(const struct csg_cast *cast, float dx, float dy, struct spans
     }
 }
 
-WIDE void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys)
+WIDE void draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys)
 {
     struct spans spans;
     cast_row(cast, dx, dy, &spans);
@@ -168,8 +168,7 @@ WIDE void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num
 /* Lane i is bit i. */
 static const unsigned bits[CSG_CAST_LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
 
-WIDE unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, int num,
-                        const float *keys)
+WIDE unsigned shows_in(const struct csg_cast *cast, float dx, float dy, int num, const float *keys)
 {
     struct spans spans;
     unsigned shows = 0;
@@ -182,10 +181,25 @@ WIDE unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, in
     return shows & ((1u << num) - 1);
 }
 
-WIDE bool csg_cast_any_behind(float key, int num, const float *keys)
+WIDE bool any_behind(float key, int num, const float *keys)
 {
     unsigned behind = 0;
     for (int i = 0; i < CSG_CAST_LANES; i++)
         behind |= keys[i] > key ? bits[i] : 0;
     return behind & ((1u << num) - 1);
+}
+
+void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys)
+{
+    draw(cast, dx, dy, num, keys);
+}
+
+unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, int num, const float *keys)
+{
+    return shows_in(cast, dx, dy, num, keys);
+}
+
+bool csg_cast_any_behind(float key, int num, const float *keys)
+{
+    return any_behind(key, num, keys);
 }
