@@ -6,12 +6,12 @@
  * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
  * holes, nested cubes in one place, and random trees, on a grid (faces coincide) and off it.
  */
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "csgcast/csgcast.h"
+#include "ideal/text.h"
 #include "random_scene.h"
 
 enum { SIZE = 160 };
@@ -19,25 +19,6 @@ enum { SIZE = 160 };
 struct picture {
     float z[SIZE * SIZE], normal[SIZE * SIZE * 3], id[SIZE * SIZE];
 };
-
-struct text {
-    char *data;
-    size_t num, capacity;
-};
-
-static void put(struct text *text, const char *format, ...)
-{
-    va_list args;
-    if (text->num + 256 > text->capacity) {
-        text->capacity = 2 * text->capacity + 256;
-        text->data = realloc(text->data, text->capacity);
-        if (!text->data)
-            abort();
-    }
-    va_start(args, format);
-    text->num += (size_t)vsnprintf(text->data + text->num, 256, format, args);
-    va_end(args);
-}
 
 static const char *const turns[3] = {"[0,0,0]", "[90,0,0]", "[0,90,0]"};
 
@@ -48,8 +29,8 @@ static void put_holes(struct text *text, int level, double x, double y, double s
     if (level == 0)
         return;
     for (int axis = 0; axis < 3; axis++)
-        put(text, "rotate(%s) translate([%.17g,%.17g,-20]) cube([%.17g,%.17g,40]);\n", turns[axis],
-            x + third, y + third, third, third);
+        text_put(text, "rotate(%s) translate([%.17g,%.17g,-20]) cube([%.17g,%.17g,40]);\n",
+            turns[axis], x + third, y + third, third, third);
     for (int i = 0; i < 9; i++)
         if (i != 4)
             put_holes(text, level - 1, x + i % 3 * third, y + i / 3 * third, third);
@@ -58,30 +39,31 @@ static void put_holes(struct text *text, int level, double x, double y, double s
 static char *sponge(void)
 {
     struct text text = {0};
-    put(&text, "difference() { cube(27, center = true);\n");
+    text_put(&text, "difference() { cube(27, center = true);\n");
     put_holes(&text, 3, -13.5, -13.5, 27);
-    put(&text, "}\n");
+    text_put(&text, "}\n");
     return text.data;
 }
 
 static char *plate(void)
 {
     struct text text = {0};
-    put(&text, "difference() { rotate([20,30,40]) cube([60,60,4]);\n");
+    text_put(&text, "difference() { rotate([20,30,40]) cube([60,60,4]);\n");
     for (int i = 0; i < 16 * 16; i++)
-        put(&text, "rotate([20,30,40]) translate([%g,%g,-1]) cylinder(h = 6, r1 = 1.2, r2 = %g);\n",
-            2 + 3.7 * (i % 16), 2 + 3.7 * (i / 16), 0.4 + 0.05 * (i % 7));
-    put(&text, "}\n");
+        text_put(&text,
+                 "rotate([20,30,40]) translate([%g,%g,-1]) cylinder(h = 6, r1 = 1.2, r2 = %g);\n",
+                 2 + 3.7 * (i % 16), 2 + 3.7 * (i / 16), 0.4 + 0.05 * (i % 7));
+    text_put(&text, "}\n");
     return text.data;
 }
 
 static char *nest(void)
 {
     struct text text = {0};
-    put(&text, "intersection() { sphere(12); union() {\n");
+    text_put(&text, "intersection() { sphere(12); union() {\n");
     for (int i = 1; i < 200; i++)
-        put(&text, "rotate([%d,0,%d]) cube(%g, center = true);\n", i, 2 * i, 0.1 * i);
-    put(&text, "}}\n");
+        text_put(&text, "rotate([%d,0,%d]) cube(%g, center = true);\n", i, 2 * i, 0.1 * i);
+    text_put(&text, "}}\n");
     return text.data;
 }
 

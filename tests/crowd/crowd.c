@@ -10,10 +10,11 @@
 #include <csgcast/csgcast.h>
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "ideal/text.h"
 
 enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_SOLIDS = 1200, NUM_VIEWS = 6, NUM_DENSE = 4000 };
 
@@ -35,49 +36,31 @@ static double between(double lo, double hi) /* splitmix64 */
     return lo + (hi - lo) * (double)((z ^ z >> 31) >> 11) / 9007199254740992.0;
 }
 
-struct text {
-    char *data;
-    size_t num, capacity;
-};
-
-static void put(struct text *text, const char *format, ...)
-{
-    va_list args;
-    if (text->num + 1024 > text->capacity) {
-        text->capacity = 2 * text->capacity + 4096;
-        text->data = realloc(text->data, text->capacity);
-        if (!text->data)
-            abort();
-    }
-    va_start(args, format);
-    text->num += (size_t)vsnprintf(text->data + text->num, 1024, format, args);
-    va_end(args);
-}
-
 static void put_solid(struct text *text)
 {
     const double a = between(0.2, 1.5), b = between(0.2, 1.5), c = between(0.2, 1.5);
     switch ((int)between(0, 9)) {
     case 0:
-        put(text, "cube([%.9g, %.9g, %.9g]);\n", a, b, c);
+        text_put(text, "cube([%.9g, %.9g, %.9g]);\n", a, b, c);
         break;
     case 1:
-        put(text, "cylinder(h = %.9g, r = %.9g);\n", 2 * a, 0.5 * b);
+        text_put(text, "cylinder(h = %.9g, r = %.9g);\n", 2 * a, 0.5 * b);
         break;
     case 2:
-        put(text, "cylinder(h = %.9g, r1 = %.9g, r2 = %.9g);\n", a, b, floor(2 * c));
+        text_put(text, "cylinder(h = %.9g, r1 = %.9g, r2 = %.9g);\n", a, b, floor(2 * c));
         break;
     case 3:
-        put(text, "ellipsoid(r = [%.9g, %.9g, %.9g]);\n", a, b, c);
+        text_put(text, "ellipsoid(r = [%.9g, %.9g, %.9g]);\n", a, b, c);
         break;
     case 4:
-        put(text, "tetrahedron([[0, 0, 0], [%.9g, 0, 1], [0, %.9g, 0], [1, 1, %.9g]]);\n", a, b, c);
+        text_put(text, "tetrahedron([[0, 0, 0], [%.9g, 0, 1], [0, %.9g, 0], [1, 1, %.9g]]);\n", a,
+                 b, c);
         break;
     case 5:
-        put(text, "paraboloid(r = [%.9g, %.9g], c = %.9g, h = %.9g);\n", a, b, c, c);
+        text_put(text, "paraboloid(r = [%.9g, %.9g], c = %.9g, h = %.9g);\n", a, b, c, c);
         break;
     default:
-        put(text, "sphere(r = %.9g);\n", a * b * b);
+        text_put(text, "sphere(r = %.9g);\n", a * b * b);
     }
 }
 
@@ -86,9 +69,10 @@ static void put_place(struct text *text)
 {
     const double t = between(0, 6.3), s = sin(t), c = cos(t);
     const double shear = between(0, 4) < 1 ? between(-0.4, 0.4) : 0;
-    put(text, "multmatrix([[%.17g, %.17g, %.9g, %.9g], [%.17g, %.17g, 0, %.9g], [0, 0, 1, %.9g], "
-              "[0, 0, 0, 1]]) ",
-        c, -s, shear, between(-15, 15), s, c, between(-15, 15), between(-15, 15));
+    text_put(text,
+             "multmatrix([[%.17g, %.17g, %.9g, %.9g], [%.17g, %.17g, 0, %.9g], [0, 0, 1, %.9g], "
+             "[0, 0, 0, 1]]) ",
+             c, -s, shear, between(-15, 15), s, c, between(-15, 15), between(-15, 15));
 }
 
 /* A crowd of small solids of every kind, most of them hidden; some views are from within, and then
@@ -97,9 +81,9 @@ static char *make_dense_scene(void)
 {
     struct text text = {0};
     for (int i = 0; i < NUM_DENSE; i++) {
-        put(&text, "multmatrix([[0.4, 0, %.9g, 0], [0, 0.4, 0, 0], [0, %.9g, 0.4, 0]]) ",
+        text_put(&text, "multmatrix([[0.4, 0, %.9g, 0], [0, 0.4, 0, 0], [0, %.9g, 0.4, 0]]) ",
             between(-0.2, 0.2), between(-0.2, 0.2));
-        put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 360), between(0, 360));
+        text_put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 360), between(0, 360));
         put_place(&text);
         put_solid(&text);
     }
@@ -115,7 +99,7 @@ static char *make_scene(void)
         const size_t begin = text.num;
         put_place(&text);
         if (i % 10 == 0)
-            put(&text, "{ cylinder(h = 2, r = 0.5); translate([0, 0, 2]) cube([1, 1, 1]); "
+            text_put(&text, "{ cylinder(h = 2, r = 0.5); translate([0, 0, 2]) cube([1, 1, 1]); "
                        "translate([0, 0, -1]) cylinder(h = 1, r = 0.5); }\n");
         else
             put_solid(&text);
@@ -123,9 +107,9 @@ static char *make_scene(void)
         const size_t length = text.num - begin;
         memcpy(copy, text.data + begin, length);
         if (i % 7 == 0)
-            put(&text, "color([1, 0, 0]) %.*s", (int)length, copy);
+            text_put(&text, "color([1, 0, 0]) %.*s", (int)length, copy);
         if (i % 50 == 0)
-            put(&text, "color([0, 0, 1, 0.5]) sphere(r = %.9g);\n", between(1, 2));
+            text_put(&text, "color([0, 0, 1, 0.5]) sphere(r = %.9g);\n", between(1, 2));
     }
     return text.data;
 }
