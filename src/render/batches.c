@@ -390,11 +390,12 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
     const bool may_loop =
         choice->resolver != CSG_RESOLVER_STRAIGHT && choice->resolver != CSG_RESOLVER_CHAIN;
     renderer->stats.overflowed_objects += overflowed && is_first;
-    batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU ||
-                            (may_loop && csg_may_give_up(&renderer->frame, &choice->draw));
-    if (may_loop)
-        choice->draw.instance.turns =
-            (int32_t)fmin(csg_turns_of(&renderer->frame, &choice->draw).look, CSG_MAX_TURNS);
+    batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU;
+    if (!may_loop)
+        return;
+    const struct csg_turns turns = csg_turns_of(&renderer->frame, &choice->draw);
+    choice->draw.instance.turns = (int32_t)fmin(turns.look, CSG_MAX_TURNS);
+    batches->may_give_up |= csg_may_give_up(&choice->draw, &turns);
 }
 
 /* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */

@@ -45,10 +45,9 @@ struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_dr
     return turns;
 }
 
-bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw)
+bool csg_may_give_up(const struct csg_draw *draw, const struct csg_turns *turns)
 {
-    const struct csg_turns turns = csg_turns_of(frame, draw);
     if (draw->walk)
         return true;
-    return turns.look * turns.looks > CSG_MAX_TURNS;
+    return turns->look * turns->looks > CSG_MAX_TURNS;
 }

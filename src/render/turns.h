@@ -13,7 +13,7 @@ struct csg_turns {
 
 struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw);
 
-/* Whether some pixel may run out of turns. */
-bool csg_may_give_up(const struct csg_frame *frame, const struct csg_draw *draw);
+/* Whether some pixel may run out of turns; turns: the draw's. */
+bool csg_may_give_up(const struct csg_draw *draw, const struct csg_turns *turns);
 
 #endif
