@@ -6,17 +6,15 @@
 set(compare_dir ${PROJECT_SOURCE_DIR}/src/compare)
 set(compare_common ${PROJECT_SOURCE_DIR}/src/common/array.c ${PROJECT_SOURCE_DIR}/src/common/linear.c
     ${PROJECT_SOURCE_DIR}/src/common/log.c)
-set(compare_includes ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include)
 
 add_library(csgcast_compare STATIC ${compare_dir}/compare.c ${compare_dir}/mesh_view.c
-    ${compare_dir}/soup.c ${compare_dir}/module.c ${compare_common})
-target_include_directories(csgcast_compare PUBLIC ${compare_includes})
+    ${compare_dir}/soup.c ${compare_dir}/module.c ${PROJECT_SOURCE_DIR}/src/common/module.c
+    ${compare_common})
+target_include_directories(csgcast_compare PUBLIC ${PROJECT_SOURCE_DIR}/src
+    ${PROJECT_SOURCE_DIR}/src/include)
 target_link_libraries(csgcast_compare PUBLIC dl m)
 csgcast_strict(csgcast_compare)
 set_target_properties(csgcast_compare PROPERTIES POSITION_INDEPENDENT_CODE ON)
-file(RELATIVE_PATH libdir_from_bindir ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-set_source_files_properties(${compare_dir}/module.c PROPERTIES COMPILE_DEFINITIONS
-    CSGCAST_MODULE_FROM_TOOL="${libdir_from_bindir}/csgcast")
 
 find_path(EMBREE_INCLUDE_DIR embree3/rtcore.h)
 find_library(EMBREE_LIBRARY embree3)
@@ -27,11 +25,8 @@ if(NOT EMBREE_INCLUDE_DIR OR NOT EMBREE_LIBRARY OR NOT ASSIMP_INCLUDE_DIR OR NOT
         "(Debian: libembree-dev libassimp-dev)")
     return()
 endif()
-add_library(csgcast-compare MODULE ${compare_dir}/caster.c ${compare_dir}/import.c
-    ${compare_dir}/entry.c ${compare_dir}/soup.c ${compare_common})
-target_include_directories(csgcast-compare PRIVATE ${compare_includes})
+csgcast_module(csgcast-compare ${compare_dir}/caster.c ${compare_dir}/import.c
+    ${compare_dir}/entry.c ${compare_dir}/soup.c ${compare_common}
+    LIBRARIES ${EMBREE_LIBRARY} ${ASSIMP_LIBRARY} m)
 target_include_directories(csgcast-compare SYSTEM PRIVATE ${EMBREE_INCLUDE_DIR}
     ${ASSIMP_INCLUDE_DIR})
-target_link_libraries(csgcast-compare PRIVATE ${EMBREE_LIBRARY} ${ASSIMP_LIBRARY} m)
-csgcast_strict(csgcast-compare)
-set_target_properties(csgcast-compare PROPERTIES PREFIX "")

@@ -15,8 +15,6 @@ add_library(csgcast_objects OBJECT ${library_sources} ${shader_source})
 target_include_directories(csgcast_objects PRIVATE ${internal_includes})
 set_target_properties(csgcast_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
 csgcast_strict(csgcast_objects)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/common/module.c PROPERTIES
-    COMPILE_DEFINITIONS CSGCAST_MODULE_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/csgcast")
 # Loops over pixels without branches: vectors need a root that sets no errno and compares that do
 # not trap.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c PROPERTIES

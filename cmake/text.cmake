@@ -13,8 +13,5 @@ if(NOT text_libraries_FOUND)
     return()
 endif()
 
-add_library(csgcast-text MODULE ${PROJECT_SOURCE_DIR}/src/text/text.c)
-target_include_directories(csgcast-text PRIVATE ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(csgcast-text PRIVATE PkgConfig::text_libraries m)
-csgcast_strict(csgcast-text)
-set_target_properties(csgcast-text PROPERTIES PREFIX "")
+csgcast_module(csgcast-text ${PROJECT_SOURCE_DIR}/src/text/text.c
+    LIBRARIES PkgConfig::text_libraries m)

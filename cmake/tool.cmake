@@ -24,14 +24,11 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/cli/cmd_report.c PROPERTIE
 csgcast_strict(csgcast-tool)
 
 # The installed tool finds its library under any prefix, also before ldconfig has run.
-file(RELATIVE_PATH libdir_from_bindir ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(csgcast-tool PROPERTIES OUTPUT_NAME csgcast
     INSTALL_RPATH "$ORIGIN/${libdir_from_bindir}")
 
 # What ./run render needs: the tool, and the module where it can be built.
 add_custom_target(csgcast-runtime DEPENDS csgcast-tool)
-foreach(module image text tess clip compare)
-    if(TARGET csgcast-${module})
-        add_dependencies(csgcast-runtime csgcast-${module})
-    endif()
-endforeach()
+if(csgcast_modules)
+    add_dependencies(csgcast-runtime ${csgcast_modules})
+endif()

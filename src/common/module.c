@@ -15,7 +15,11 @@
 
 #ifndef CSGCAST_MODULE_DIR
 #define CSGCAST_MODULE_DIR "/usr/local/lib/csgcast"
+#define CSGCAST_MODULE_FROM_BINDIR "../lib/csgcast"
 #endif
+
+/* Where modules lie, seen from the library's folder or the program's. */
+static const char *const places[] = {"", "/csgcast", "/" CSGCAST_MODULE_FROM_BINDIR};
 
 const char csg_module_dir[] = CSGCAST_MODULE_DIR;
 
@@ -59,10 +63,8 @@ void *csg_module_open(const char *name, const char *variable)
         return open_file(chosen);
     void *module = NULL;
     dlerror();
-    if (find_own_folder(folder)) {
-        module = open_in(folder, "", name);
-        if (!module)
-            module = open_in(folder, "/csgcast", name);
-    }
+    if (find_own_folder(folder))
+        for (size_t i = 0; i < sizeof places / sizeof *places && !module; i++)
+            module = open_in(folder, places[i], name);
     return module ? module : open_in(csg_module_dir, "", name);
 }

@@ -3,8 +3,9 @@
 #define CSG_COMMON_MODULE_H
 
 /*
- * Parts of libcsgcast that bring libraries of their own and are loaded when they are needed. They
- * lie beside the library, below it in csgcast/, or where they were installed.
+ * Parts of csgcast that bring libraries of their own and are loaded when they are needed. They
+ * lie beside the library or the tool, where an installation under any prefix has them, or where
+ * they were installed first.
  */
 
 /*
