@@ -66,12 +66,12 @@
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
-#define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/program.glsl */
+#define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/turns.glsl */
 
 /* Turns of all loops that llvmpipe grants to a program, see csg/turns.glsl. */
 #define CSG_MAX_TURNS 65535
 
-/* How often one look asks an innermost operand of a union anew, see csg/program.glsl. */
+/* How often one look asks an innermost operand of a union anew, see csg/turns.glsl. */
 #define CSG_MAX_AGAIN 3
 
 /*

@@ -5,89 +5,45 @@
 
 #include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
-#include <signal.h>
-#include <spawn.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "common/clock.h"
+#include "common/process.h"
 
-extern char **environ;
-
-/* How often a running program is looked at: its time is measured no finer. */
-static const struct timespec poll_interval = {.tv_nsec = 2000000};
-
-/* The exit status by which some systems say that a program could not be started. */
-enum { STATUS_NOT_STARTED = 127 };
-
-static double now(void)
+static void write_log(const char *path, const struct csg_bytes *output)
 {
-    return csg_clock_ms() / 1000;
-}
-
-/* Returns an error number. */
-static int start(const char *const *argv, const char *log, pid_t *child)
-{
-    posix_spawn_file_actions_t actions;
-    int error = posix_spawn_file_actions_init(&actions);
-    if (error)
-        return error;
-    error = posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    if (!error)
-        error = posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log ? log : "/dev/null",
-                                                 O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    if (!error)
-        error =
-            posix_spawnp(child, argv[0], &actions, NULL, (char *const *)(uintptr_t)argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    return error;
-}
-
-/* false: the limit came first, and the child is dead. */
-static bool wait_for(pid_t child, double begun, double limit, int *status)
-{
-    for (;;) {
-        const pid_t ended = waitpid(child, status, limit > 0 ? WNOHANG : 0);
-        if (ended == child)
-            return true;
-        if (ended < 0 && errno != EINTR)
-            return true;
-        if (limit > 0 && now() - begun > limit) {
-            kill(child, SIGKILL);
-            while (waitpid(child, status, 0) < 0 && errno == EINTR)
-                continue;
-            return false;
-        }
-        if (limit > 0)
-            nanosleep(&poll_interval, NULL);
-    }
+    FILE *file = path ? fopen(path, "w") : NULL;
+    if (!file)
+        return;
+    fwrite(output->data, 1, output->num, file);
+    fclose(file);
 }
 
 enum csg_process_end csg_process_run(const char *const *argv, const char *log, double limit,
                                      double *seconds)
 {
-    pid_t child;
-    int status = -1;
-    const double begun = now();
-    if (start(argv, log, &child))
+    struct csg_process process;
+    const double begun = csg_clock_ms();
+    if (csg_process_start(&process, (char *const *)(uintptr_t)argv, NULL, NULL))
         return CSG_PROCESS_MISSING;
-    const bool ended = wait_for(child, begun, limit, &status);
+    csg_process_wait(&process, 1, limit > 0 ? (int)fmin(1e3 * limit, INT_MAX) : -1);
     if (seconds)
-        *seconds = now() - begun;
-    if (!ended)
+        *seconds = (csg_clock_ms() - begun) / 1e3;
+    const bool timed_out = process.is_running;
+    const bool missing = csg_process_is_missing(&process);
+    const bool done = WIFEXITED(process.status) && WEXITSTATUS(process.status) == 0;
+    write_log(log, &process.output);
+    csg_process_finish(&process);
+    if (timed_out)
         return CSG_PROCESS_TIMED_OUT;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == STATUS_NOT_STARTED)
-        return CSG_PROCESS_MISSING;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? CSG_PROCESS_DONE : CSG_PROCESS_FAILED;
+    return missing ? CSG_PROCESS_MISSING : done ? CSG_PROCESS_DONE : CSG_PROCESS_FAILED;
 }
 
 static bool is_in(const char *folder, size_t length, const char *program)
@@ -113,14 +69,18 @@ bool csg_process_exists(const char *program)
 
 bool csg_process_make_folder(char *text, int size)
 {
-    const char *parent = getenv("TMPDIR");
-    const int num = snprintf(text, (size_t)size, "%s/csgcast-XXXXXX",
-                             parent && parent[0] == '/' ? parent : "/tmp");
-    if (num > 0 && num < size && mkdtemp(text))
-        return true;
-    csg_cli_error("cannot make the folder %s: %s", text, strerror(errno));
-    text[0] = 0;
-    return false;
+    char *folder = csg_folder_make();
+    const int num = folder ? snprintf(text, (size_t)size, "%s", folder) : -1;
+    const bool ok = num > 0 && num < size;
+    if (!ok) {
+        csg_cli_error("cannot make a folder for temporary files: %s",
+                      strerror(folder ? ENAMETOOLONG : errno));
+        text[0] = 0;
+    }
+    if (folder && !ok)
+        rmdir(folder);
+    free(folder);
+    return ok;
 }
 
 void csg_process_remove_folder(const char *folder)

@@ -10,7 +10,7 @@
  */
 
 #include "common/array.h"
-#include "scene/file.h"
+#include "common/file.h"
 
 struct csg_cache {
     char *folder; /* absolute, without a / at its end; NULL: there is no cache */

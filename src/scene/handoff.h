@@ -10,7 +10,7 @@
 
 #include "plane/drawing.h"
 #include "polyhedra/mesh.h"
-#include "scene/file.h"
+#include "common/file.h"
 #include "scene/nodes.h"
 #include "scene/parser.h"
 

@@ -7,7 +7,7 @@
 #include "common/array.h"
 #include "scene/cache.h"
 #include "scene/handoff.h"
-#include "scene/process.h"
+#include "common/process.h"
 #include "scene/report.h"
 
 /* A text that openscad is to evaluate. */

@@ -9,7 +9,7 @@
 
 #include "plane/drawing.h"
 #include "polyhedra/mesh.h"
-#include "scene/file.h"
+#include "common/file.h"
 
 enum csg_stl_result {
     CSG_STL_DONE,

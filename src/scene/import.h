@@ -2,7 +2,7 @@
 #ifndef CSG_SCENE_IMPORT_H
 #define CSG_SCENE_IMPORT_H
 
-#include "scene/file.h"
+#include "common/file.h"
 #include "scene/walk.h"
 
 /* The file that a node names by "file", as a string; NULL: it names none. */

@@ -3,7 +3,7 @@
 #define CSG_SCENE_MESH_FILE_H
 
 #include "polyhedra/mesh.h"
-#include "scene/file.h"
+#include "common/file.h"
 
 /* Files of meshes and of heights: words between blanks, and binary STL. */
 

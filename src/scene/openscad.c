@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "common/join.h"
-#include "scene/process.h"
+#include "common/process.h"
 
 /* One run of openscad. It starts as zeroes. */
 struct run {

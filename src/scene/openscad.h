@@ -2,7 +2,7 @@
 #ifndef CSG_SCENE_OPENSCAD_H
 #define CSG_SCENE_OPENSCAD_H
 
-#include "scene/file.h"
+#include "common/file.h"
 
 /* The program: the caller's, the environment's, or the one in the path. */
 const char *csg_openscad_program(const struct csgcast_scene_params *params);

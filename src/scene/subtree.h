@@ -2,7 +2,7 @@
 #ifndef CSG_SCENE_SUBTREE_H
 #define CSG_SCENE_SUBTREE_H
 
-#include "scene/file.h"
+#include "common/file.h"
 #include "scene/parser.h"
 
 /* A subtree of a document as text that OpenSCAD reads as it was meant. Zero-initialise it. */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/file.h"
+#include "common/file.h"
 #include "scene/load.h"
 #include "scene_print.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_SCENE_PROCESS_H
-#define CSG_SCENE_PROCESS_H
+#ifndef CSG_COMMON_PROCESS_H
+#define CSG_COMMON_PROCESS_H
 
 /* Programs that run beside us: what they print is collected, several are waited for at once. */
 
 #include <sys/types.h>
 
-#include "scene/file.h"
+#include "common/file.h"
 
 struct csg_process {
     bool is_running;

@@ -3,10 +3,11 @@
 #define _GNU_SOURCE /* posix_spawn_file_actions_addchdir_np */
 #endif
 
-#include "scene/process.h"
+#include "common/process.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
@@ -15,6 +16,7 @@
 #include <unistd.h>
 
 #include "common/array.h"
+#include "common/clock.h"
 
 extern char **environ;
 
@@ -101,6 +103,7 @@ static void read_some(struct csg_process *process)
     }
 }
 
+/* false: neither a process has ended nor the time. */
 static bool wait_once(struct csg_process *processes, size_t num, int ms, struct pollfd *fds)
 {
     bool has_ended = false;
@@ -134,15 +137,16 @@ void csg_process_wait(struct csg_process *processes, size_t num, int ms)
                 read_some(&processes[i]);
         return;
     }
-    while (any_runs(processes, num) && !wait_once(processes, num, ms, fds))
-        continue;
+    const double end = csg_clock_ms() + ms;
+    for (int left = ms; any_runs(processes, num) && !wait_once(processes, num, left, fds) && left;)
+        left = ms < 0 ? ms : (int)fmax(end - csg_clock_ms(), 0);
     free(fds);
 }
 
 void csg_process_finish(struct csg_process *process)
 {
     if (process->is_running) {
-        kill(process->pid, SIGTERM);
+        kill(process->pid, SIGKILL);
         reap(process);
     }
     free(process->output.data);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/file.h"
+#include "common/file.h"
 
 #include <errno.h>
 #include <fcntl.h>

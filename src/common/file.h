@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_SCENE_FILE_H
-#define CSG_SCENE_FILE_H
+#ifndef CSG_COMMON_FILE_H
+#define CSG_COMMON_FILE_H
 
 #include <stddef.h>
 
