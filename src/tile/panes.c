@@ -53,11 +53,11 @@ static int count_panes(int size)
     return num < 1 ? 1 : num > MAX_PANES ? MAX_PANES : num;
 }
 
-/* Edge number i of num, on a tile's edge but for the last one. */
+/* Edge number i of num, on a tile's edge but for the first and the last one. */
 static int edge(int lo, int hi, int i, int num)
 {
-    const int tiles = (hi - lo + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE;
-    return i == num ? hi : lo + tiles * i / num * CSG_TILE_SIZE;
+    const int first = lo / CSG_TILE_SIZE, last = (hi + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE;
+    return i == 0 ? lo : i == num ? hi : (first + (last - first) * i / num) * CSG_TILE_SIZE;
 }
 
 static void cut_panes(const struct csg_tile_area *area, int across, int down, struct pane *panes)
@@ -135,7 +135,8 @@ static struct csg_tile_area sample_area(const struct csg_rect *rect, size_t x, s
     struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS};
     for (int i = 0; i < 2; i++) {
         const double size = rect->hi[i] - rect->lo[i];
-        area.lo[i] = (int)floor(rect->lo[i] + ((double)at[i] + 0.5) / SAMPLES * size);
+        const int lo = (int)floor(rect->lo[i] + ((double)at[i] + 0.5) / SAMPLES * size);
+        area.lo[i] = lo / CSG_TILE_SIZE * CSG_TILE_SIZE;
         area.hi[i] = area.lo[i] + 2 * CSG_TILE_SIZE; /* cut twice, as trees fold better then */
     }
     return area;

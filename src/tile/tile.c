@@ -224,6 +224,15 @@ static int tile_size(const struct tiler *tiler)
     return size ? size : CSG_TILE_SIZE;
 }
 
+/* A tile's edge between lo and hi, which are more than a tile apart, near their middle. Edges are
+ * multiples of the size: drivers draw blocks of pixels, and a tile that lies across them has more of
+ * them than it need have. */
+static int edge_between(int lo, int hi, int tile)
+{
+    const int middle = (lo + (hi - lo) / 2 + tile - 1) / tile * tile;
+    return middle < hi ? middle : middle - tile;
+}
+
 /* Cuts across the longer side; takes the task's tree. */
 static bool cut(struct tiler *tiler, struct task *task)
 {
@@ -231,7 +240,7 @@ static bool cut(struct tiler *tiler, struct task *task)
     const int axis = task->hi[0] - task->lo[0] >= task->hi[1] - task->lo[1] ? 0 : 1;
     const int size = task->hi[axis] - task->lo[axis];
     const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
-    const int middle = task->lo[axis] + (size / 2 + tile - 1) / tile * tile;
+    const int middle = edge_between(task->lo[axis], task->hi[axis], tile);
     if (!copy_tree(&task->tree, &other.tree))
         return false;
     task->hi[axis] = other.lo[axis] = middle;
