@@ -19,7 +19,7 @@
 #endif
 
 /* Where modules lie, seen from the library's folder or the program's. */
-static const char *const places[] = {"", "/csgcast", "/" CSGCAST_MODULE_FROM_BINDIR};
+static const char *const places[] = {"", "/csgcast", ("/" CSGCAST_MODULE_FROM_BINDIR)};
 
 const char csg_module_dir[] = CSGCAST_MODULE_DIR;
 
