@@ -99,9 +99,19 @@ static struct csg_pixel reference_pixel(const struct csg_screen *screen, const s
     return (struct csg_pixel){floor(0.5 * screen->width), floor(0.5 * screen->height)};
 }
 
+/* The side of a square of whole pixels; 0: it is none. */
+static int32_t side_of(const struct csg_rect *rect)
+{
+    const double side = rect->hi[0] - rect->lo[0];
+    const bool whole = rect->lo[0] == floor(rect->lo[0]) && rect->lo[1] == floor(rect->lo[1]) &&
+                       side == floor(side);
+    return whole && side == rect->hi[1] - rect->lo[1] ? (int32_t)side : 0;
+}
+
 void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
                        const struct csg_rect *rect)
 {
+    draw->instance.side = side_of(rect);
     const double size[2] = {screen->width, screen->height};
     for (int i = 0; i < 2; i++) {
         draw->instance.rect[i] = (float)(2 * rect->lo[i] / size[i] - 1);

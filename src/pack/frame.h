@@ -19,6 +19,7 @@ struct csg_instance {
     float rect[4];      /* clip space */
     int32_t records[2]; /* begin, end in the data texture */
     int32_t turns;      /* of the loops of one look at them, at most; see CSG_MAX_TURNS */
+    int32_t side;       /* of rect, in pixels, where it is a square of whole ones; else 0 */
 };
 
 struct csg_draw {
@@ -75,7 +76,7 @@ struct csg_frame_params {
 /* The index of draws that stand for a whole layer instead of one object. */
 #define CSG_WHOLE_LAYER UINT32_MAX
 
-/* Puts a rectangle in pixels into the draw's instance, in clip space. */
+/* Puts a rectangle in pixels into the draw's instance: in clip space, and its side. */
 void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
                        const struct csg_rect *rect);
 

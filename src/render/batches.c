@@ -31,6 +31,7 @@ struct chooser {
     GLuint chains[CSG_NUM_CHAINS];
     bool tiles_prepared, direct;
     size_t max_handed; /* flat inputs that the driver allows */
+    int max_point;     /* pixels of a point's side */
 };
 
 static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
@@ -261,24 +262,40 @@ static GLuint choose_program(struct chooser *chooser, const struct csg_draw *dra
     return choose_shared(chooser, *resolver, features, resolver);
 }
 
-static bool add_draw(struct csg_batches *batches, const struct csg_draw *draw, GLuint program,
-                     GLuint rear, enum csg_resolver resolver, uint32_t instance)
+/* A draw with what was chosen for it. */
+struct choice {
+    struct csg_draw draw;
+    GLuint program, rear;
+    enum csg_resolver resolver;
+    bool point;
+    bool placed;
+};
+
+static bool add_draw(struct csg_batches *batches, const struct choice *choice, uint32_t instance)
 {
+    const struct csg_draw *draw = &choice->draw;
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
-    if (resolver == CSG_RESOLVER_CPU)
+    if (choice->resolver == CSG_RESOLVER_CPU)
         batches->on_cpu++;
     else
-        batches->drawn[resolver]++;
+        batches->drawn[choice->resolver]++;
     const bool alone = draw->translucent || draw->paint != CSG_LAYER_MODEL;
-    if (last && last->program == program && last->layer == draw->layer &&
+    if (last && last->program == choice->program && last->layer == draw->layer &&
         (!alone || last->object == draw->object) && last->paint == draw->paint &&
-        last->translucent == draw->translucent && last->rear == rear) {
+        last->translucent == draw->translucent && last->rear == choice->rear &&
+        last->points == choice->point) {
         last->num++;
         return true;
     }
-    const struct csg_batch batch = {
-        program,      rear,     draw->layer, draw->paint, draw->translucent,
-        draw->object, instance, 1,           NULL};
+    const struct csg_batch batch = {.program = choice->program,
+                                    .rear = choice->rear,
+                                    .layer = draw->layer,
+                                    .paint = draw->paint,
+                                    .translucent = draw->translucent,
+                                    .points = choice->point,
+                                    .object = draw->object,
+                                    .first = instance,
+                                    .num = 1};
     return csg_array_push(batches, batch);
 }
 
@@ -302,6 +319,13 @@ static size_t max_handed(struct csg_gl *gl)
     gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
     const GLint num = components / 4 - 5;
     return num < 1 ? 1 : num > 27 ? 27 : (size_t)num;
+}
+
+static int max_point(struct csg_gl *gl)
+{
+    GLfloat range[2] = {1, 1};
+    gl->GetFloatv(GL_POINT_SIZE_RANGE, range);
+    return (int)range[1];
 }
 
 /* Crowds share no carriers with other objects, so file order does not matter between them. */
@@ -329,33 +353,27 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
     return true;
 }
 
-/* A draw with what was chosen for it. */
-struct choice {
-    struct csg_draw draw;
-    GLuint program, rear;
-    enum csg_resolver resolver;
-    bool placed;
-};
-
 static bool choose(struct chooser *chooser, const struct csg_draw *draw, struct choice *choice)
 {
     choice->draw = *draw;
+    choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point;
     choice->program = choose_program(chooser, draw, &choice->resolver);
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }
 
-/* Draws choices [begin, end) that have the program of the first of them, and marks them. */
+/* Draws choices [begin, end) that have the program and the form of the first of them, and marks
+ * them. */
 static bool add_alike(struct csg_batches *batches, struct choice *choices, size_t begin, size_t end,
                       struct csg_draw *draws, uint32_t *num_drawn)
 {
-    const GLuint program = choices[begin].program;
+    const struct choice first = choices[begin];
     for (size_t i = begin; i < end; i++) {
         struct choice *choice = &choices[i];
-        if (choice->placed || choice->program != program)
+        if (choice->placed || choice->program != first.program || choice->point != first.point)
             continue;
         choice->placed = true;
         draws[*num_drawn] = choice->draw;
-        if (!add_draw(batches, &choice->draw, program, choice->rear, choice->resolver, *num_drawn))
+        if (!add_draw(batches, choice, *num_drawn))
             return false;
         ++*num_drawn;
     }
@@ -462,7 +480,8 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
             .renderer = renderer,
             .request = request,
             .direct = batches->direct,
-            .max_handed = max_handed(renderer->gl)};
+            .max_handed = max_handed(renderer->gl),
+            .max_point = max_point(renderer->gl)};
         ok = fill(batches, chooser, choices);
     }
     free(choices);

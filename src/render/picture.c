@@ -97,7 +97,7 @@ static void point_instances(struct csg_gl *gl, size_t first)
     const size_t size = sizeof(struct csg_instance), base = first * size;
     gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
                             (const void *)(base + offsetof(struct csg_instance, rect)));
-    gl->VertexAttribIPointer(1, 3, GL_INT, (GLsizei)size, /* turns come behind records */
+    gl->VertexAttribIPointer(1, 4, GL_INT, (GLsizei)size, /* turns and side come behind records */
                              (const void *)(base + offsetof(struct csg_instance, records)));
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
@@ -148,6 +148,7 @@ static void draw_batches(const struct csg_picture *picture, const struct round *
 {
     struct csg_gl *gl = picture->gl;
     picture->renderer->programs.round++;
+    gl->Enable(GL_PROGRAM_POINT_SIZE);
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
         if (!is_in_round(batch, round))
@@ -155,7 +156,10 @@ static void draw_batches(const struct csg_picture *picture, const struct round *
         const GLuint program = round->rear ? batch->rear : batch->program;
         use_program(picture, round, program);
         bind_instances(picture, batch);
-        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
+        if (batch->points)
+            gl->DrawArraysInstanced(GL_POINTS, CSG_POINT, 1, (GLsizei)batch->num);
+        else
+            gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
     }
 }
 

@@ -61,6 +61,7 @@ struct csg_batch {
     GLuint rear; /* draws the far sides; 0 where they do not show */
     uint8_t layer, paint;
     bool translucent;
+    bool points;     /* instances are squares, each drawn as one */
     uint32_t object; /* of the first instance; of all where they are not simply opaque */
     uint32_t first, num; /* instances */
     const struct csg_crowd_run *run; /* NULL: other objects than a crowd's */
