@@ -19,6 +19,7 @@ struct csg_part {
     struct csg_tree tree;               /* leaf: index into shapes */
     CSG_ARRAY(uint32_t) open;           /* nodes that wait for their close */
     bool is_too_large;                  /* shapes beyond the limit were left out */
+    bool has_flat;                      /* shapes that a singular matrix left no volume of were */
 };
 
 void csg_part_finish(struct csg_part *part);

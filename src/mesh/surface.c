@@ -45,8 +45,8 @@ static void swap_corners(struct csg_triangle *triangle)
 
 bool csg_surface_map(struct csg_surface *surface, const struct csg_map *map)
 {
-    struct csg_map inverse;
-    if (!csg_map_invert(map, &inverse))
+    struct csg_map inverse = csg_map_identity;
+    if (!csg_map_invert(map, &inverse) && surface->triangles.num > 0)
         return false;
     for (size_t i = 0; i < surface->points.num; i++)
         surface->points.data[i] = csg_map_point(map, surface->points.data[i]);

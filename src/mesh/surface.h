@@ -46,7 +46,8 @@ void csg_surface_destroy(struct csg_surface *surface);
 /* NULL: out of memory. */
 struct csg_surface *csg_surface_copy(const struct csg_surface *surface);
 
-/* Replaces it by its image. false, with the surface untouched, where map is singular. */
+/* Replaces it by its image. false, with the surface untouched, where map is singular and there are
+ * triangles. */
 bool csg_surface_map(struct csg_surface *surface, const struct csg_map *map);
 
 /* Builds the hierarchy of boxes; again after a map. false: out of memory. */

@@ -19,6 +19,18 @@ void csg_resize_factors(const double *newsize, const bool *automatic, const doub
             factors[i] = automatically;
 }
 
+void csg_resize_factors_signed(const double *newsize, const bool *automatic, const double *size,
+                               int num, double *factors)
+{
+    int largest = 0;
+    for (int i = 1; i < num; i++)
+        if (newsize[i] != 0 && newsize[i] > newsize[largest])
+            largest = i;
+    const double automatically = newsize[largest] != 0 ? newsize[largest] / size[largest] : 1;
+    for (int i = 0; i < num; i++)
+        factors[i] = newsize[i] != 0 ? newsize[i] / size[i] : automatic[i] ? automatically : 1;
+}
+
 enum csg_sweep_result csg_drawing_resize(struct csg_drawing *drawing, uint32_t node,
                                          const double newsize[2], const bool automatic[2])
 {

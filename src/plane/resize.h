@@ -11,6 +11,10 @@
 void csg_resize_factors(const double *newsize, const bool *automatic, const double *size, int num,
                         double *factors);
 
+/* What it does to a Boolean of solids: a negative newsize mirrors. */
+void csg_resize_factors_signed(const double *newsize, const bool *automatic, const double *size,
+                               int num, double *factors);
+
 /* Scales the subtree at node, the last of the drawing. Its size is that of OpenSCAD's facets. */
 enum csg_sweep_result csg_drawing_resize(struct csg_drawing *drawing, uint32_t node,
                                          const double newsize[2], const bool automatic[2]);

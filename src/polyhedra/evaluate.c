@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "polyhedra/cell.h"
+#include "polyhedra/mesh.h"
 
 /* Give up when a Boolean is in so many pieces. */
 enum { max_cells = 20000 };
@@ -287,4 +288,26 @@ enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_
             result = CSG_HULL_NO_MEMORY;
     }
     return result;
+}
+
+enum csg_hull_result csg_part_press(struct csg_part *part, const struct csg_map *map)
+{
+    struct csg_clusters clusters = {0};
+    struct csg_mesh mesh = {0};
+    struct csg_part pressed = {0};
+    struct csg_shape shape;
+    enum csg_hull_result result = csg_part_evaluate(part, true, &clusters);
+    bool ok = true;
+    for (size_t i = 0; i < clusters.corners.points.num && ok; i++)
+        ok = csg_mesh_add_point(&mesh, csg_map_point(map, clusters.corners.points.data[i])) &&
+             csg_array_push(&mesh.corners, (uint32_t)i);
+    ok = ok && csg_part_open(&pressed, false) && csg_mesh_to_points(&mesh, &shape) &&
+         csg_part_add(&pressed, &shape, false);
+    if (pressed.open.num > 0)
+        csg_part_close(&pressed);
+    csg_mesh_finish(&mesh);
+    csg_clusters_finish(&clusters);
+    csg_part_finish(part);
+    *part = pressed;
+    return ok ? result : CSG_HULL_NO_MEMORY;
 }

@@ -21,4 +21,7 @@ void csg_clusters_finish(struct csg_clusters *clusters);
 enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
                                        struct csg_clusters *clusters);
 
+/* Replaces a union of shapes by the points that a singular map takes their corners to. */
+enum csg_hull_result csg_part_press(struct csg_part *part, const struct csg_map *map);
+
 #endif

@@ -68,4 +68,8 @@ enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_
 /* The mesh as one shape bounded by its faces (mesh/surface.h). false: out of memory. */
 bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape *shape);
 
+/* The mesh as a surface without triangles, only points that a corner has: what a hull needs of it.
+ * false: out of memory. */
+bool csg_mesh_to_points(const struct csg_mesh *mesh, struct csg_shape *shape);
+
 #endif

@@ -92,6 +92,29 @@ static bool copy_points(const struct csg_mesh *mesh, struct csg_surface *surface
     return ok;
 }
 
+bool csg_mesh_to_points(const struct csg_mesh *mesh, struct csg_shape *shape)
+{
+    struct csg_surface *surface = calloc(1, sizeof *surface);
+    bool *is_taken = calloc(mesh->points.num + 1, sizeof *is_taken);
+    struct csg_box box = csg_box_empty;
+    bool ok = surface && is_taken;
+    for (size_t i = 0; i < mesh->corners.num && ok; i++) {
+        const uint32_t point = mesh->corners.data[i];
+        ok = is_taken[point] || csg_array_push(&surface->points, mesh->points.data[point]);
+        is_taken[point] = true;
+        csg_box_extend(&box, mesh->points.data[point]);
+    }
+    free(is_taken);
+    if (!ok) {
+        csg_surface_destroy(surface);
+        return false;
+    }
+    *shape = (struct csg_shape){
+        .surface = surface, .frame = csg_map_identity, .rounding = mesh->rounding};
+    shape->bounds = shape->written = box;
+    return true;
+}
+
 bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape *shape)
 {
     struct csg_surface *surface = calloc(1, sizeof *surface);

@@ -159,7 +159,7 @@ static bool add_path(const struct csg_args *args, struct csg_drawing *drawing,
     return ok;
 }
 
-/* paths: undef, one path, or a vector of paths. */
+/* paths: undef or a vector of paths. What is no vector is a path of no points, as in OpenSCAD. */
 static bool add_paths(const struct csg_args *args, struct csg_drawing *drawing,
                       const struct csg_space *space, const struct csg_value *points)
 {
@@ -167,11 +167,11 @@ static bool add_paths(const struct csg_args *args, struct csg_drawing *drawing,
     bool ok = true;
     if (!paths || paths->type != CSG_VALUE_VECTOR || paths->num == 0)
         return add_path(args, drawing, space, points, NULL);
-    if (paths->items[0].type == CSG_VALUE_NUMBER)
-        return add_path(args, drawing, space, points, paths);
     for (size_t i = 0; i < paths->num && ok; i++)
         if (paths->items[i].type == CSG_VALUE_VECTOR)
             ok = add_path(args, drawing, space, points, &paths->items[i]);
+        else
+            warn(args, &paths->items[i], "a path must be a vector of indices; it is left out");
     return ok;
 }
 

@@ -18,11 +18,12 @@ enum { max_sums = 4000000 };
 /* What is known about the solids inside, for the shapes made of them. */
 struct origin {
     double rounding;
-    bool facetted;
+    bool facetted, has_flat;
 };
 
 static void add_origin(struct origin *origin, const struct csg_part *part)
 {
+    origin->has_flat |= part->has_flat;
     for (size_t i = 0; i < part->shapes.num; i++) {
         origin->rounding = fmax(origin->rounding, part->shapes.data[i].rounding);
         origin->facetted |= part->shapes.data[i].facetted;
@@ -71,7 +72,7 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
             all = is_cylinder(walk, i);
     if (all && walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN) {
         ok = csg_part_read(walk, node + 1, end, in_boolean, CSG_WANT_EXACT, &inner) &&
-             (csg_disc_hull(part, &inner, taken) || csg_log_memory(&walk->builder->report->log));
+             (inner.has_flat || csg_disc_hull(part, &inner, taken) || csg_log_memory(&walk->builder->report->log));
     }
     csg_part_finish(&inner);
     return ok;
@@ -188,6 +189,19 @@ static bool add_hulls(struct csg_walk *walk, uint32_t node, const struct csg_clu
     return ok;
 }
 
+/* The convex sets of the child i; where nothing is left of it but what is flat, its points. */
+static bool read_operand(struct csg_walk *walk, uint32_t node, uint32_t i, bool in_boolean,
+                         struct csg_clusters *operand, struct origin *origin, bool *is_there)
+{
+    const uint32_t end = csg_walk_node(walk, i)->end;
+    const bool ok = read_clusters(walk, node, i, end, in_boolean, CSG_WANT_FACETS, operand, origin,
+                                  is_there);
+    if (!ok || !*is_there || operand->ends.num > 0 || !origin->has_flat)
+        return ok;
+    return read_clusters(walk, node, i, end, in_boolean, CSG_WANT_POINTS, operand, origin,
+                         is_there);
+}
+
 /* Empty operands are left out, as in OpenSCAD. */
 static bool add_operand(struct csg_walk *walk, uint32_t node, struct csg_clusters *sum,
                         struct csg_clusters *operand, bool *is_there)
@@ -223,8 +237,7 @@ bool csg_compound_minkowski(struct csg_walk *walk, uint32_t node, const struct c
         struct csg_clusters operand = {0};
         if (csg_is_left_out(walk->builder, i))
             continue;
-        ok = read_clusters(walk, node, i, csg_walk_node(walk, i)->end, in_boolean, CSG_WANT_FACETS,
-                           &operand, &origin, &is_there);
+        ok = read_operand(walk, node, i, in_boolean, &operand, &origin, &is_there);
         if (ok && is_there)
             ok = add_operand(walk, node, &sum, &operand, &is_there);
         csg_clusters_finish(&operand);

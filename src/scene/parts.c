@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "polyhedra/evaluate.h"
+
 /* A node whose children are being read. */
 struct frame {
     uint32_t end;
@@ -58,6 +60,47 @@ static void close_frame(struct reader *reader)
     reader->frames.num--;
 }
 
+/* Whether a difference or intersection is open. */
+static bool is_cut(const struct reader *reader)
+{
+    for (size_t i = 0; i < reader->frames.num; i++)
+        if (reader->frames.data[i].role != CSG_ROLE_UNION)
+            return true;
+    return false;
+}
+
+/* The children that have something to say. */
+static int count_operands(const struct csg_walk *walk, uint32_t node)
+{
+    int num = 0;
+    for (uint32_t i = node + 1; i < csg_walk_node(walk, node)->end; i = csg_walk_node(walk, i)->end)
+        num += !csg_is_left_out(walk->builder, i);
+    return num;
+}
+
+static bool is_singular(const struct csg_space *space)
+{
+    struct csg_map inverse;
+    return !space->is_empty && !csg_map_invert(&space->map, &inverse);
+}
+
+/* Into the innermost open node's space. Where that leaves no volume of the part it leaves points, if
+ * it is points that matter. */
+static bool place(struct reader *reader, struct csg_part *part)
+{
+    const struct csg_space *space = &top_of(reader)->space;
+    bool is_placed = !space->is_empty;
+    if (!is_singular(space)) {
+        for (size_t i = 0; i < part->shapes.num && is_placed; i++)
+            is_placed = csg_space_place(space, &part->shapes.data[i]);
+        return is_placed;
+    }
+    reader->part->has_flat = true;
+    if (!reader->walk->points_only || is_cut(reader))
+        return false;
+    return csg_part_press(part, &space->map) == CSG_HULL_DONE;
+}
+
 static bool open_frame(struct reader *reader, uint32_t node)
 {
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
@@ -73,10 +116,34 @@ static bool open_frame(struct reader *reader, uint32_t node)
         return false;
     if (ops->enter)
         ops->enter(&args, &frame.space);
+    /* OpenSCAD flattens solids, but not a union of several. */
+    frame.space.is_empty |= is_singular(&frame.space) && count_operands(reader->walk, node) > 1;
     const bool is_union = frame.role == CSG_ROLE_UNION;
     return (csg_part_open(reader->part, is_union == negated) &&
             csg_array_push(&reader->frames, frame)) ||
            no_memory(reader);
+}
+
+static bool add_part(struct reader *reader, struct csg_part *part, bool negated)
+{
+    if (part->tree.num > 0 && place(reader, part))
+        return csg_part_append(reader->part, part, negated) || no_memory(reader);
+    csg_part_finish(part);
+    return add_empty(reader, negated);
+}
+
+static bool add_solid(struct reader *reader, struct csg_shape *shape, bool negated)
+{
+    const struct csg_space *space = &top_of(reader)->space;
+    struct csg_part part = {0};
+    if (!is_singular(space) && csg_space_place(space, shape))
+        return csg_part_add(reader->part, shape, negated) || no_memory(reader);
+    if (csg_part_open(&part, false) && csg_part_add(&part, shape, false)) {
+        csg_part_close(&part);
+        return add_part(reader, &part, negated);
+    }
+    csg_part_finish(&part);
+    return no_memory(reader);
 }
 
 static bool read_solid(struct reader *reader, uint32_t node)
@@ -88,33 +155,15 @@ static bool read_solid(struct reader *reader, uint32_t node)
     if (!csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args))
         return false;
     const enum csg_read_result result = ops->read(&args, &shape);
-    const bool is_placed = result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape);
     const bool is_bounded =
         csg_box_is_finite(&shape.bounds) && (!shape.has_quadric || reader->exact);
-    if (is_placed && !is_bounded)
+    if (result == CSG_READ_OK && is_bounded)
+        return add_solid(reader, &shape, negated);
+    if (result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape))
         csg_walk_unsupported(reader->walk, node,
                              "%s inside of hull or minkowski is not supported yet", ops->name);
-    if (is_placed && is_bounded)
-        return csg_part_add(reader->part, &shape, negated) || no_memory(reader);
     csg_shape_finish(&shape);
     return add_empty(reader, negated);
-}
-
-static bool place_part(struct reader *reader, struct csg_part *part)
-{
-    for (size_t i = 0; i < part->shapes.num; i++)
-        if (!csg_space_place(&top_of(reader)->space, &part->shapes.data[i]))
-            return false;
-    return true;
-}
-
-/* Whether a difference or intersection is open. */
-static bool is_cut(const struct reader *reader)
-{
-    for (size_t i = 0; i < reader->frames.num; i++)
-        if (reader->frames.data[i].role != CSG_ROLE_UNION)
-            return true;
-    return false;
 }
 
 static bool read_compound(struct reader *reader, uint32_t node)
@@ -136,10 +185,10 @@ static bool read_compound(struct reader *reader, uint32_t node)
               ops->compound(walk, node, &args, top_of(reader)->space.in_boolean, &inner);
     walk->depth--;
     walk->points_only = points_only;
-    if (ok && inner.tree.num > 0 && place_part(reader, &inner))
-        return csg_part_append(reader->part, &inner, negated) || no_memory(reader);
+    if (ok)
+        return add_part(reader, &inner, negated);
     csg_part_finish(&inner);
-    return ok && add_empty(reader, negated);
+    return false;
 }
 
 static bool visit(struct reader *reader, uint32_t node, uint32_t *next)

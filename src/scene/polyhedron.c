@@ -13,6 +13,14 @@
  * made of convex solids. */
 enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
 
+/* Without z it is 0, as in OpenSCAD. */
+static bool read_point(const struct csg_value *point, double p[3], double *rounding)
+{
+    p[2] = 0;
+    return (csg_value_numbers(point, 3, p, rounding) || csg_value_numbers(point, 2, p, rounding)) &&
+           isfinite(p[0] + p[1] + p[2]);
+}
+
 static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
 {
     const struct csg_value *points = csg_args_find(args, "points");
@@ -20,7 +28,7 @@ static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
     for (size_t i = 0; points && points->type == CSG_VALUE_VECTOR && i < points->num && ok; i++) {
         const struct csg_value *point = &points->items[i];
         double p[3], rounding = 0;
-        if (!csg_value_numbers(point, 3, p, &rounding) || !isfinite(p[0] + p[1] + p[2])) {
+        if (!read_point(point, p, &rounding)) {
             csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE,
                             "%s:%u:%u: polyhedron: a point must be [x, y, z] with finite numbers; "
                             "the polyhedron is empty",
@@ -35,7 +43,7 @@ static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
 }
 
 /* Indices that no point has are left out, as in OpenSCAD. */
-static bool read_face(const struct csg_args *args, const struct csg_value *face,
+static bool read_face(const struct csg_args *args, const struct csg_value *face, bool points_only,
                       struct csg_mesh *mesh)
 {
     bool ok = true;
@@ -50,17 +58,18 @@ static bool read_face(const struct csg_args *args, const struct csg_value *face,
                             "left out",
                             args->file, (unsigned)index->line, (unsigned)index->column);
     }
-    return ok && csg_mesh_close_face(mesh);
+    return ok && (points_only || csg_mesh_close_face(mesh));
 }
 
-static bool read_mesh(const struct csg_args *args, struct csg_mesh *mesh)
+/* points_only: faces are only lists of corners, however many. */
+static bool read_mesh(const struct csg_args *args, bool points_only, struct csg_mesh *mesh)
 {
     const struct csg_value *faces = csg_args_find(args, "faces");
     bool ok = read_points(args, mesh);
     if (!faces)
         faces = csg_args_find(args, "triangles");
     for (size_t i = 0; faces && faces->type == CSG_VALUE_VECTOR && i < faces->num && ok; i++)
-        ok = mesh->points.num == 0 || read_face(args, &faces->items[i], mesh);
+        ok = mesh->points.num == 0 || read_face(args, &faces->items[i], points_only, mesh);
     return ok || csg_log_memory(args->log);
 }
 
@@ -68,6 +77,8 @@ bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh)
 {
     struct csg_cut_space space = {csg_map_identity, reversed};
+    if (walk->points_only)
+        return true;
     if (csg_mesh_is_bent(mesh) && !csg_cut_space_find(walk, node, &space))
         return false;
     return csg_mesh_clean(mesh, &space) || csg_log_memory(&walk->builder->report->log);
@@ -101,15 +112,22 @@ static bool add_surface(const struct csg_mesh *mesh, bool open, struct csg_part 
     return csg_mesh_to_shape(mesh, open, &shape) && csg_part_add(part, &shape, false);
 }
 
+static bool add_points(const struct csg_mesh *mesh, struct csg_part *part)
+{
+    struct csg_shape shape;
+    return mesh->corners.num == 0 ||
+           (csg_mesh_to_points(mesh, &shape) && csg_part_add(part, &shape, false));
+}
+
 bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *mesh,
                         struct csg_part *part)
 {
     struct csg_mesh_gaps gaps;
     enum csg_mesh_result result = CSG_MESH_DONE;
+    if (walk->points_only)
+        return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
     if (mesh->faces.num == 0)
         return true;
-    if (walk->points_only)
-        return add_surface(mesh, false, part) || csg_log_memory(&walk->builder->report->log);
     if (!csg_mesh_orient(mesh, &gaps))
         return csg_log_memory(&walk->builder->report->log);
     if (gaps.num)
@@ -129,7 +147,7 @@ bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct 
 {
     struct csg_mesh mesh = {0};
     (void)in_boolean;
-    const bool ok = read_mesh(args, &mesh) && csg_polyhedron_clean(walk, node, true, &mesh) &&
+    const bool ok = read_mesh(args, walk->points_only, &mesh) && csg_polyhedron_clean(walk, node, true, &mesh) &&
                     csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;

@@ -13,6 +13,7 @@
 
 /* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
 #define ON_PLANE 1e-12
+#define WIDER 1e-9
 
 struct projection {
     struct csg_walk *walk;
@@ -86,7 +87,27 @@ static bool add_sets(const struct projection *projection, const struct csg_clust
     return ok || csg_log_memory(&projection->walk->builder->report->log);
 }
 
-static bool project(struct projection *projection, uint32_t node, const struct csg_part *part)
+/* What is subtracted takes its boundary with it: a pocket's floor at z = 0 is no part of the section.
+ * So its planes there move out a little, by more than evaluation takes for rounding. */
+static void widen_cuts(struct csg_part *part)
+{
+    for (size_t i = 0; i < part->tree.num; i++) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op != CSG_LEAF || !node->negated)
+            continue;
+        struct csg_shape *shape = &part->shapes.data[node->leaf];
+        const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+        const double size = csg_length(box.lo) + csg_length(box.hi);
+        for (size_t j = 0; j < shape->num_planes; j++) {
+            struct csg_plane *plane = &shape->planes[j];
+            if (hypot(plane->normal.x, plane->normal.y) < ON_PLANE &&
+                fabs(plane->offset) <= ON_PLANE * size)
+                plane->offset += WIDER * size;
+        }
+    }
+}
+
+static bool project(struct projection *projection, uint32_t node, struct csg_part *part)
 {
     struct csg_walk *walk = projection->walk;
     struct csg_clusters clusters = {0};
@@ -95,6 +116,8 @@ static bool project(struct projection *projection, uint32_t node, const struct c
         projection->facetted |= part->shapes.data[i].facetted;
     }
     projection->rounding *= csg_space_stretch(projection->space);
+    if (projection->cut)
+        widen_cuts(part);
     const enum csg_hull_result result =
         part->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(part, false, &clusters);
     bool ok = true;

@@ -56,6 +56,24 @@ static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean, dou
     return ok;
 }
 
+/* Whether it is more than one solid, which OpenSCAD resizes otherwise. */
+static bool is_combined(const struct csg_walk *walk, uint32_t node)
+{
+    for (;;) {
+        uint32_t only = node;
+        int num = 0;
+        for (uint32_t i = node + 1; i < csg_walk_node(walk, node)->end;
+             i = csg_walk_node(walk, i)->end)
+            if (!csg_is_left_out(walk->builder, i) && walk->builder->meanings[i].dimension == 3) {
+                only = i;
+                num++;
+            }
+        if (num != 1 || !csg_has_children(&walk->builder->meanings[only]))
+            return num > 1;
+        node = only;
+    }
+}
+
 bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                          bool in_boolean, struct csg_part *part)
 {
@@ -69,14 +87,18 @@ bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_
         return false;
     if (!is_there)
         return true;
-    csg_resize_factors(resize.newsize, resize.automatic, size, 3, factors);
+    if (is_combined(walk, node))
+        csg_resize_factors_signed(resize.newsize, resize.automatic, size, 3, factors);
+    else
+        csg_resize_factors(resize.newsize, resize.automatic, size, 3, factors);
     for (int i = 0; i < 3; i++)
         map.m[i][i] = factors[i];
     if (!csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, wanted, part))
         return false;
     for (size_t i = 0; i < part->shapes.num; i++) {
         csg_shape_map(&part->shapes.data[i], &map);
-        part->shapes.data[i].rounding *= fmax(factors[0], fmax(factors[1], factors[2]));
+        part->shapes.data[i].rounding *=
+            fmax(fabs(factors[0]), fmax(fabs(factors[1]), fabs(factors[2])));
     }
     return true;
 }

@@ -46,6 +46,7 @@ static int count_segments(const struct revolution *revolution, const struct csg_
     return num < max_segments ? (int)num : max_segments;
 }
 
+/* A single segment is what lies between its two ends, on their near side. */
 static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
                     const struct csg_profile *profile, double rounding, struct csg_part *part)
 {
@@ -60,6 +61,9 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
         return true;
     revolution->turn.num = count_segments(revolution, profile);
+    if (revolution->turn.facetted && revolution->turn.num == 1 &&
+        fabs(revolution->turn.angle) > 180)
+        revolution->turn.angle -= copysign(360, revolution->turn.angle);
     return csg_revolve(part, profile, &revolution->turn, rounding) ||
            csg_log_memory(&walk->builder->report->log);
 }

@@ -120,7 +120,7 @@ bool csg_rounded_hull(struct csg_walk *walk, uint32_t node, bool in_boolean, str
         return true;
     bool ok = csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean,
                             CSG_WANT_EXACT, &inner);
-    if (ok) {
+    if (ok && !inner.has_flat) {
         const size_t first = part->shapes.num;
         enum csg_hull_result result = collect(&inner, &balls, taken);
         if (result == CSG_HULL_DONE && *taken)
@@ -248,7 +248,7 @@ bool csg_rounded_sum(struct csg_walk *walk, uint32_t node, bool in_boolean, stru
     bool ok = true;
     for (int i = 0; i < 2 && ok; i++)
         ok = csg_part_read(walk, operands[i], csg_walk_node(walk, operands[i])->end, in_boolean,
-                           true, &parts[i]);
+                           CSG_WANT_EXACT, &parts[i]);
     ok = ok && finish(walk, add_sum(&parts[0], &parts[1], &sum, taken), taken);
     if (ok && *taken)
         ok = csg_part_append(part, &sum, false) || csg_log_memory(&walk->builder->report->log);

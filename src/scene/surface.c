@@ -27,6 +27,7 @@ static bool is_png(const struct csg_bytes *bytes)
     return bytes->num >= 8 && memcmp(bytes->data, "\x89PNG\r\n\x1a\n", 8) == 0;
 }
 
+/* Of a row with a value that is none what stands before it counts. */
 static bool add_row(struct heights *heights, struct csg_words *words, bool *is_good)
 {
     const size_t begin = heights->values.num;
@@ -39,11 +40,13 @@ static bool add_row(struct heights *heights, struct csg_words *words, bool *is_g
             break;
         *is_good = csg_words_number(words, &value);
         if (!*is_good)
-            return true;
+            break;
         heights->floor = fmin(heights->floor, value - 1);
         ok = csg_array_push(&heights->values, value);
     }
     const size_t columns = heights->values.num - begin;
+    if (columns == 0)
+        return ok;
     heights->columns = columns > heights->columns ? columns : heights->columns;
     return ok && csg_array_push(&heights->rows, heights->values.num);
 }
