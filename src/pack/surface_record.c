@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cells are squares of a power of two pixels. */
+/* Cells are squares of a power of two pixels; or single pixels, whose lists have no edges. */
 enum { min_cell = 4, max_cell = 1 << 14 };
 
-/* Lists that are this short on average need no smaller cells. */
-#define SHORT_LIST 4
+/* Making a texel takes as long as this many pixels that read one. */
+#define TEXEL_COST 5.0
 
 /* Triangles thinner than this, in pixels, are seen along their plane: it does not say where. */
 #define THIN 1e-3
@@ -29,7 +29,8 @@ struct face {
     double plane[4];
     struct edge edges[4];
     int num_edges;
-    int lo[2], hi[2]; /* cells */
+    double left, right; /* pixels */
+    int first_row, end_row;
     uint32_t normal;  /* place in the record; 0 while no list has the face */
     uint32_t triangle;
 };
@@ -133,12 +134,6 @@ static void fill_plane(const struct record *record, struct face *face, bool thin
     face->plane[1] = face->plane[2] = 0;
 }
 
-static int clamp_cell(double pixel, int cell, int num)
-{
-    const double place = floor(pixel / cell);
-    return place < 0 ? 0 : place >= num ? num - 1 : (int)place;
-}
-
 static bool add_face(struct record *record, uint32_t triangle)
 {
     const struct csg_frame *frame = record->terms->frame;
@@ -161,10 +156,10 @@ static bool add_face(struct record *record, uint32_t triangle)
     if (face.num_edges == 0 || hi < 0 || lo > record->size[0])
         return true;
     fill_plane(record, &face, is_thin(polygon, num));
-    face.lo[0] = clamp_cell(lo, record->cell, record->columns);
-    face.hi[0] = clamp_cell(hi, record->cell, record->columns);
-    face.lo[1] = clamp_cell(first, record->cell, record->rows);
-    face.hi[1] = clamp_cell(last - 1, record->cell, record->rows);
+    face.left = lo;
+    face.right = hi;
+    face.first_row = first;
+    face.end_row = last;
     return csg_array_push(&record->faces, face);
 }
 
@@ -217,35 +212,135 @@ static bool add_to_cell(struct record *record, uint32_t face_index, int column, 
     return ok;
 }
 
+static int clamp_cell(double pixel, int cell, int num)
+{
+    const double place = floor(pixel / cell);
+    return place < 0 ? 0 : place >= num ? num - 1 : (int)place;
+}
+
 static bool add_to_cells(struct record *record, uint32_t index)
 {
     const struct face face = record->faces.data[index];
+    const int lo = clamp_cell(face.left, record->cell, record->columns);
+    const int hi = clamp_cell(face.right, record->cell, record->columns);
     bool ok = true;
-    for (int row = face.lo[1]; row <= face.hi[1] && ok; row++)
-        for (int column = face.lo[0]; column <= face.hi[0] && ok; column++)
+    for (int row = face.first_row / record->cell; row * record->cell < face.end_row && ok; row++)
+        for (int column = lo; column <= hi && ok; column++)
             ok = add_to_cell(record, index, column, row);
+    return ok;
+}
+
+/* Pixels of the row whose centres are to the left of the edge; as the shader asks it. */
+static int pixels_before(const struct record *record, const struct edge *edge, int row)
+{
+    const float low = edge->texel[0] < edge->texel[1] ? edge->texel[0] : edge->texel[1];
+    const float x = edge->texel[2] + edge->texel[3] * ((float)row + 0.5f - low);
+    const double num = ceil((double)x - 0.5);
+    return num < 0 ? 0 : num > record->size[0] ? record->size[0] : (int)num;
+}
+
+/* The pixels of a row that the face covers: between its edges, which at() gives in pairs. */
+static bool add_to_row(struct record *record, uint32_t index, int row)
+{
+    const struct face *face = &record->faces.data[index];
+    int ends[4], turns[4], num = 0;
+    for (int i = 0; i < face->num_edges; i++) {
+        const struct edge *edge = &face->edges[i];
+        if (row < edge->first_row || row >= edge->first_row + edge->rows)
+            continue;
+        int at = num++;
+        const int end = pixels_before(record, edge, row);
+        for (; at > 0 && ends[at - 1] > end; at--) {
+            ends[at] = ends[at - 1];
+            turns[at] = turns[at - 1];
+        }
+        ends[at] = end;
+        turns[at] = edge->turns;
+    }
+    int sum = 0;
+    bool ok = true;
+    for (int i = num - 1; i > 0 && ok; i--) {
+        sum += turns[i];
+        struct entry entry = {.face = index, .turns = sum < 0 ? -1 : 1};
+        for (int column = ends[i - 1]; column < ends[i] && sum != 0 && ok; column++) {
+            entry.cell = (uint32_t)(row * record->columns + column);
+            for (int j = 0; j < abs(sum) && ok; j++)
+                ok = push_entry(record, entry);
+        }
+    }
+    return ok;
+}
+
+static bool add_to_pixels(struct record *record, uint32_t index)
+{
+    const struct face *face = &record->faces.data[index];
+    const int first = face->first_row, end = face->end_row;
+    bool ok = true;
+    for (int row = first; row < end && ok; row++)
+        ok = add_to_row(record, index, row);
     return ok;
 }
 
 /* ---- the record --------------------------------------------------------------------------- */
 
-/*
- * Seen from the front a closed surface has half of its n triangles over an area A or more, so they
- * are about 2 sqrt(A / n) pixels wide; with cells half as wide lists are short and few.
- */
-static void choose_cells(struct record *record, size_t num)
+/* Pixels that a face covers within the record, and how long its edges are there; about. */
+struct extent {
+    double area, length;
+};
+
+static struct extent extent_of(const struct record *record, const struct face *face)
 {
-    const double area = (double)record->size[0] * record->size[1];
+    struct extent extent = {0};
+    for (int i = 0; i < face->num_edges; i++) {
+        const struct edge *edge = &face->edges[i];
+        const double left = fmax(edge->left, 0), right = fmin(edge->right, record->size[0]);
+        const double middle = 0.5 * (edge->left + edge->right);
+        extent.area += edge->turns * edge->rows * fmin(fmax(middle, 0), record->size[0]);
+        extent.length += edge->rows + fmax(right - left, 0);
+    }
+    extent.area = fabs(extent.area);
+    return extent;
+}
+
+/*
+ * What cells of some size cost, in texels read. A convex face of area a and perimeter p meets
+ * a / s^2 + 2 p / (pi s) + 1 squares of size s on average (Santalo 1976, integral geometry), about
+ * p / s + 1 of them with its edges, the length of an edge taken along the axes.
+ */
+static double cost_of(const struct record *record, const struct extent *extents, int size)
+{
+    const double area = (double)record->size[0] * record->size[1], s = size;
+    double texels = 0;
+    for (size_t i = 0; i < record->faces.num; i++) {
+        const double cuts = size == 1 ? 0 : extents[i].length / s + 1;
+        const double meets = fmax(extents[i].area / (s * s) + 0.5 * cuts, cuts);
+        texels += meets + CSG_SURFACE_EDGES * cuts;
+    }
+    return TEXEL_COST * (ceil(area / (s * s)) + texels) + s * s * texels;
+}
+
+static bool choose_cells(struct record *record)
+{
     const int larger = record->size[0] > record->size[1] ? record->size[0] : record->size[1];
-    record->cell = min_cell;
-    if (num <= SHORT_LIST)
-        while (record->cell < larger && record->cell < max_cell)
-            record->cell *= 2;
-    else
-        while (2 * record->cell <= sqrt(area / (double)num) && record->cell < larger)
-            record->cell *= 2;
+    struct extent *extents = malloc((record->faces.num + 1) * sizeof *extents);
+    if (!extents)
+        return false;
+    for (size_t i = 0; i < record->faces.num; i++)
+        extents[i] = extent_of(record, &record->faces.data[i]);
+    double best = cost_of(record, extents, 1);
+    record->cell = 1;
+    for (int cell = min_cell; cell < 2 * larger && cell <= max_cell; cell *= 2) {
+        const double cost = cost_of(record, extents, cell);
+        if (cost < best) {
+            best = cost;
+            record->cell = cell;
+        }
+    }
+    free(extents);
     record->columns = (record->size[0] + record->cell - 1) / record->cell;
     record->rows = (record->size[1] + record->cell - 1) / record->cell;
+    record->first_normal = (uint32_t)(CSG_SURFACE_CELLS + record->columns * record->rows);
+    return true;
 }
 
 static void put_normal(const struct record *record, const struct face *face, bool negated,
@@ -350,12 +445,12 @@ static bool put_record(const struct record *record, const struct csg_step *step)
 static bool fill_record(struct record *record, const struct csg_view_list *list)
 {
     bool ok = true;
-    choose_cells(record, list->num);
-    record->first_normal = (uint32_t)(CSG_SURFACE_CELLS + record->columns * record->rows);
     for (size_t i = 0; i < list->num && ok; i++)
         ok = add_face(record, list->data[i]);
+    ok = ok && choose_cells(record);
     for (size_t i = 0; i < record->faces.num && ok; i++)
-        ok = add_to_cells(record, (uint32_t)i);
+        ok = record->cell == 1 ? add_to_pixels(record, (uint32_t)i)
+                               : add_to_cells(record, (uint32_t)i);
     return ok;
 }
 
