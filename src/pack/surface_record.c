@@ -239,7 +239,7 @@ static int pixels_before(const struct record *record, const struct edge *edge, i
     return num < 0 ? 0 : num > record->size[0] ? record->size[0] : (int)num;
 }
 
-/* The pixels of a row that the face covers: between its edges, which at() gives in pairs. */
+/* The pixels of a row that the face covers, each as often as the edges to the right of it turn. */
 static bool add_to_row(struct record *record, uint32_t index, int row)
 {
     const struct face *face = &record->faces.data[index];

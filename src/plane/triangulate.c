@@ -18,9 +18,17 @@ struct hole {
     double x, y;
 };
 
+/* A corner of the ring that is cut, by its place along the longer side of the ring's box. */
+struct place {
+    double at;
+    uint32_t corner;
+};
+
 struct triangulation {
     CSG_ARRAY(struct corner) corners;
     CSG_ARRAY(struct hole) holes;
+    CSG_ARRAY(struct place) places; /* sorted; with those that were cut lately */
+    bool upright;                   /* places are along y */
     struct csg_triangles *triangles;
 };
 
@@ -40,6 +48,10 @@ static long double turn(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2 c)
 static bool is_in_triangle(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2 c,
                            struct csg_vec2 p)
 {
+    /* Beside its box, which is soon seen, it cannot be. */
+    if ((p.x < a.x && p.x < b.x && p.x < c.x) || (p.x > a.x && p.x > b.x && p.x > c.x) ||
+        (p.y < a.y && p.y < b.y && p.y < c.y) || (p.y > a.y && p.y > b.y && p.y > c.y))
+        return false;
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
@@ -223,6 +235,68 @@ static bool is_in_the_way(const struct triangulation *t, uint32_t k, struct csg_
     return is_in_triangle(a, b, c, p) && turn_at(t, k) <= 0;
 }
 
+static double place_of(const struct triangulation *t, struct csg_vec2 p)
+{
+    return t->upright ? p.y : p.x;
+}
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *x = a, *y = b;
+    if (x->at != y->at)
+        return x->at < y->at ? -1 : 1;
+    return x->corner < y->corner ? -1 : x->corner > y->corner;
+}
+
+/* Sorts the corners of the ring, so that an ear is compared with those beside it only. */
+static bool fill_places(struct triangulation *t, uint32_t first)
+{
+    double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+    uint32_t i = first;
+    t->places.num = 0;
+    do {
+        const struct csg_vec2 p = corner_of(t, i)->at;
+        lo[0] = fmin(lo[0], p.x);
+        hi[0] = fmax(hi[0], p.x);
+        lo[1] = fmin(lo[1], p.y);
+        hi[1] = fmax(hi[1], p.y);
+        if (!csg_array_push(&t->places, ((struct place){0, i})))
+            return false;
+        i = corner_of(t, i)->after;
+    } while (i != first);
+    t->upright = hi[1] - lo[1] > hi[0] - lo[0];
+    for (size_t k = 0; k < t->places.num; k++)
+        t->places.data[k].at = place_of(t, corner_of(t, t->places.data[k].corner)->at);
+    qsort(t->places.data, t->places.num, sizeof *t->places.data, compare_places);
+    return true;
+}
+
+/* Leaves out the corners that were cut, once they are the most. */
+static void drop_cut_places(struct triangulation *t, uint32_t left)
+{
+    size_t num = 0;
+    if (t->places.num < 2 * (size_t)left)
+        return;
+    for (size_t i = 0; i < t->places.num; i++)
+        if (!corner_of(t, t->places.data[i].corner)->is_cut)
+            t->places.data[num++] = t->places.data[i];
+    t->places.num = num;
+}
+
+/* The first place at or after `at`. */
+static size_t find_place(const struct triangulation *t, double at)
+{
+    size_t lo = 0, hi = t->places.num;
+    while (lo < hi) {
+        const size_t middle = lo + (hi - lo) / 2;
+        if (t->places.data[middle].at < at)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
 static bool is_ear(const struct triangulation *t, uint32_t i)
 {
     const struct corner *b = corner_of(t, i);
@@ -230,9 +304,18 @@ static bool is_ear(const struct triangulation *t, uint32_t i)
     const long double angle = turn(a->at, b->at, c->at);
     if (angle <= 0)
         return angle == 0; /* a corner that is straight or a spike goes at once */
-    for (uint32_t k = c->after; k != b->before; k = corner_of(t, k)->after)
-        if (is_in_the_way(t, k, a->at, b->at, c->at))
+    const double x = place_of(t, a->at), y = place_of(t, b->at), z = place_of(t, c->at);
+    const double end = fmax(fmax(x, y), z);
+    for (size_t k = find_place(t, fmin(fmin(x, y), z)); k < t->places.num; k++) {
+        const struct place *place = &t->places.data[k];
+        if (place->at > end)
+            break;
+        const bool is_own =
+            place->corner == i || place->corner == b->before || place->corner == b->after;
+        if (!is_own && !corner_of(t, place->corner)->is_cut &&
+            is_in_the_way(t, place->corner, a->at, b->at, c->at))
             return false;
+    }
     return true;
 }
 
@@ -264,8 +347,9 @@ static uint32_t count_ring(const struct triangulation *t, uint32_t first)
 static bool cut_ring(struct triangulation *t, uint32_t first)
 {
     uint32_t num = count_ring(t, first), i = first, tried = 0;
-    bool ok = true;
+    bool ok = fill_places(t, first);
     while (num > 2 && ok) {
+        drop_cut_places(t, num);
         const uint32_t after = corner_of(t, i)->after;
         if (num == 3 || is_ear(t, i) || tried > 2 * num || (tried > num && turn_at(t, i) > 0)) {
             ok = cut_corner(t, i);
@@ -295,5 +379,6 @@ bool csg_figure_triangulate(const struct csg_drawing *drawing, const struct csg_
             ok = cut_ring(&t, i);
     free(t.corners.data);
     free(t.holes.data);
+    free(t.places.data);
     return ok;
 }
