@@ -84,6 +84,14 @@
 #define CSG_WALK_HEADER 7
 #define CSG_WALK_DEPTH 32 /* of splits */
 
+/* A bunch of a cell's literals (src/cells/bunch.h): multiples of 4. Of a literal's texel the number is
+ * its surfaces by bit, planes from bit 0, quadrics behind them, and whether it is negated. */
+#define CSG_BUNCH_LITERALS 12
+#define CSG_BUNCH_MANY_PLANES 16 /* of objects without quadrics */
+#define CSG_BUNCH_FEW_PLANES 8
+#define CSG_BUNCH_QUADRICS 4
+#define CSG_BUNCH_NEGATED 0x10000
+
 /* Turns after which a pixel's walk gives up: sixteen pixels, as many as llvmpipe may draw at once,
  * then still keep within CSG_MAX_TURNS together. */
 #define CSG_MAX_WALK_TURNS 4000

@@ -7,23 +7,11 @@
 
 #define CSG_CELL_FLAGS 1024u /* as in src/cells/cells.h */
 
-/* Turns of loops so far, see CSG_MAX_WALK_TURNS. */
-int csg_walk_turns = 0;
-
 /* What a tree is from key k on: true at the soonest, and what changes at k itself. */
 struct csg_cell {
     float next;
     csg_change change;
 };
-
-/* Of faces that leave at the same key the last one counts, as in records that have them backwards. */
-void csg_cell_plane(vec4 texel, vec2 d, int face, inout csg_span span)
-{
-    float k = csg_plane(texel, d), exit = texel.w < 0.0 ? k : CSG_KEY_MAX;
-    csg_enter(texel.w < 0.0 ? -CSG_KEY_MAX : k, face, span);
-    span.face.y = exit <= span.key.y ? face : span.face.y;
-    span.key.y = min(exit, span.key.y);
-}
 
 #ifdef CSG_HAS_QUADRIC
 /* Narrows span by the quadric behind the faces of the leaf whose terms are at place. */
@@ -129,4 +117,25 @@ csg_cell csg_cell_run(int begin, int end, int terms, vec2 d, float k)
         gap = vec2(CSG_KEY_MAX);
     }
     return result;
+}
+
+/* From k on in the cell of records [begin, end): moves k to where its tree is true, or to last. */
+bool csg_cell_search(int begin, int end, int terms, vec2 d, float last, inout float k,
+                     inout ivec2 place)
+{
+    bool found = false;
+    while (!found && k < last && csg_walk_turns < CSG_MAX_WALK_TURNS) {
+        csg_cell cell = csg_cell_run(begin, end, terms, d, k);
+        csg_walk_turns += 2;
+        found = !(cell.next > k);
+        place = cell.change.place;
+        k = found ? k : min(cell.next, last);
+    }
+    return found;
+}
+
+/* place names the face already. */
+ivec2 csg_cell_face(ivec2 place, int terms, vec2 d)
+{
+    return place;
 }

@@ -77,13 +77,7 @@ bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool in
         if (walks) {
             float last = csg_walk_key(exit);
             k = max(k, csg_walk_key(s));
-            while (!found && k < last && csg_walk_turns < CSG_MAX_WALK_TURNS) {
-                csg_cell cell = csg_cell_run(begin, end, object.y, d, k);
-                csg_walk_turns += 2;
-                found = !(cell.next > k);
-                place = cell.change.place;
-                k = found ? k : min(cell.next, last);
-            }
+            found = csg_cell_search(begin, end, object.y, d, last, k, place);
             s = exit;
             if (!found) {
                 walks = top > 0;
@@ -99,5 +93,6 @@ bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool in
         csg_give_up();
         return true;
     }
+    place = csg_cell_face(place, object.y, d);
     return found && k < csg_screen_key.z;
 }

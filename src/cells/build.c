@@ -11,6 +11,7 @@
 
 /* Literals of a cell that are never worth a cut. */
 #define SMALL_CELL 4
+#define SMALL_BUNCHED 8
 
 static size_t count_leaves(const struct csg_tree *tree)
 {
@@ -80,6 +81,12 @@ static bool put_cell(struct csg_cell_builder *builder, const struct csg_work *wo
     const struct csg_box around = grown(&work->box, builder->margin);
     struct csg_branch *branch = &builder->branches.data[work->branch];
     branch->kind = CSG_BRANCH_CELL;
+    if (builder->bunched) {
+        branch->first = (uint32_t)(builder->bunches.texels.num / 4);
+        const bool ok = csg_bunches_add(&builder->bunches, &work->tree, &around);
+        branch->end = (uint32_t)(builder->bunches.texels.num / 4);
+        return ok;
+    }
     branch->first = (uint32_t)(builder->records.num / 4);
     builder->program.num = 0;
     if (work->tree.num && !csg_program_append(&builder->program, builder->scene, &work->tree, 0))
@@ -140,7 +147,7 @@ static bool add_work(struct csg_cell_builder *builder, struct csg_work work)
     bool ok = fold(builder, &work.box, &work.tree);
     const size_t num = count_leaves(&work.tree);
     work.cost = (double)num * csg_split_area(&work.box);
-    if (ok && num > SMALL_CELL && work.depth < MAX_DEPTH) {
+    if (ok && num > (builder->bunched ? SMALL_BUNCHED : SMALL_CELL) && work.depth < MAX_DEPTH) {
         ok = push_work(builder, &work);
         if (ok)
             return true;
@@ -189,6 +196,8 @@ void csg_cell_builder_start(struct csg_cell_builder *builder, const struct csg_b
     const struct csg_branch open = {.kind = CSG_BRANCH_OPEN};
     *tree = (struct csg_tree){0};
     builder->known = malloc(builder->scene->num_leaves + 1);
+    builder->bunches.scene = builder->scene;
+    builder->bunches.places = builder->places;
     builder->splitter.scene = builder->scene;
     builder->splitter.is_box = builder->is_box;
     builder->splitter.margin = builder->margin;
@@ -222,6 +231,8 @@ void csg_cell_builder_finish(struct csg_cell_builder *builder)
     free(builder->work.data);
     free(builder->branches.data);
     free(builder->records.data);
+    free(builder->bunches.literals.data);
+    free(builder->bunches.texels.data);
     free(builder->splitter.leaves.data);
     free(builder->program.data);
     free(builder->known);

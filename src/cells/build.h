@@ -4,6 +4,7 @@
 
 /* The binary tree of cuts that cells come from, and the cells' records. */
 
+#include "cells/bunch.h"
 #include "cells/split.h"
 #include "csg/program.h"
 
@@ -33,9 +34,11 @@ struct csg_cell_builder {
     const uint32_t *places; /* of the leaves' terms, by leaf */
     const bool *is_box;     /* by leaf, see csg_side_is_box */
     double margin;
+    bool bunched;
     size_t max_branches;
     CSG_ARRAY(struct csg_branch) branches; /* 0: the root */
     CSG_ARRAY(float) records;
+    struct csg_bunches bunches; /* ... in their place, where bunched */
     CSG_ARRAY(struct csg_work) work; /* a heap, the costliest first */
     struct csg_splitter splitter;
     struct csg_program program;

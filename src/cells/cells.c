@@ -60,6 +60,8 @@ static void build_part(void *user, size_t i)
     part->places = job->places;
     part->is_box = job->is_box;
     part->margin = job->top.margin;
+    part->bunched = job->top.bunched;
+    part->bunches.quadrics = job->top.bunches.quadrics;
     part->max_branches = (size_t)((double)job->top.max_branches * work->cost / job->cost);
     csg_cell_builder_start(part, &work->box, &work->tree, work->depth);
     csg_cell_builder_cut(part, SIZE_MAX);
@@ -131,6 +133,8 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
     job->top.places = job->places;
     job->top.is_box = job->is_box;
     job->top.margin = cells->margin;
+    job->top.bunched = cells->bunched =
+        csg_bunches_can_hold(scene, object, &job->top.bunches.quadrics);
     if (!job->places || !job->is_box || !object_tree(scene, object, &tree))
         return false;
     job->top.max_branches = max_branches(job, scene, object);
@@ -233,9 +237,11 @@ static bool emit_cell(struct emitter *emitter, const struct pending *pending,
     const size_t first = cells->texels.num / 4, num = branch->end - branch->first;
     if (!add_texels(cells, num))
         return false;
-    memcpy(cells->texels.data + 4 * first,
-           pending->place.builder->records.data + 4 * (size_t)branch->first,
-           4 * num * sizeof *cells->texels.data);
+    const struct csg_cell_builder *builder = pending->place.builder;
+    const float *records = builder->bunched ? builder->bunches.texels.data : builder->records.data;
+    if (num)
+        memcpy(cells->texels.data + 4 * first, records + 4 * (size_t)branch->first,
+               4 * num * sizeof *cells->texels.data);
     float *texel = cells->texels.data + 4 * pending->texel;
     texel[0] = (float)first;
     texel[1] = (float)(first + num);

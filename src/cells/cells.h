@@ -30,6 +30,7 @@ struct csg_cells {
      */
     CSG_ARRAY(float) texels;
     size_t depth; /* of splits */
+    bool bunched; /* cells hold bunches, see cells/bunch.h, instead of records */
     bool nested;  /* some cell's tree is no chain: its program needs a stack */
 };
 

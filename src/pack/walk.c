@@ -93,6 +93,7 @@ bool csg_walk_add(struct csg_terms *terms, const struct csg_cells *cells,
     walk.instance.records[1] = (int32_t)(frame->texels.num / 4);
     walk.walk = true;
     walk.nested = cells->nested;
+    walk.bunched = cells->bunched;
     for (size_t i = 0; i < terms->leaves.num; i++)
         if (!put_leaf(terms, &terms->leaves.data[i]))
             return false;

@@ -233,7 +233,7 @@ static int walk_features(const struct chooser *chooser, const struct csg_draw *d
 {
     const struct csg_structure structure = structure_of(chooser->request, draw->object);
     return csg_structure_features(&structure) | view_features(draw) |
-           (draw->nested ? CSG_FEATURE_NESTED : 0);
+           (draw->nested ? CSG_FEATURE_NESTED : 0) | (draw->bunched ? CSG_FEATURE_BUNCHES : 0);
 }
 
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,

@@ -98,7 +98,7 @@ static void add_preamble(struct csg_text *text, int features)
     add_file(text, "common/layout.glsl");
 }
 
-static void add_resolver(struct csg_text *text, enum csg_resolver resolver)
+static void add_resolver(struct csg_text *text, enum csg_resolver resolver, int features)
 {
     if (resolver == CSG_RESOLVER_STRAIGHT)
         return;
@@ -108,7 +108,8 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver)
         return;
     }
     if (resolver == CSG_RESOLVER_CELLS) {
-        add_file(text, "csg/cell.glsl");
+        add_file(text, "csg/cell_face.glsl");
+        add_file(text, features & CSG_FEATURE_BUNCHES ? "csg/bunch.glsl" : "csg/cell.glsl");
         add_file(text, "csg/walk.glsl");
         return;
     }
@@ -222,7 +223,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 {
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, resolver, features);
-    add_resolver(&fragment, resolver);
+    add_resolver(&fragment, resolver, features);
     size_t num_handed = 0;
     if (resolver == CSG_RESOLVER_CELLS) {
         add_file(&vertex, "csg/walk.vert.glsl");

@@ -38,11 +38,12 @@ enum csg_feature {
     CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
     CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
     CSG_FEATURE_NESTED = 32, /* cells: some of their trees are no chains */
-    CSG_NUM_FEATURE_SETS = 64,
+    CSG_FEATURE_BUNCHES = 64, /* cells: see src/cells/bunch.h */
+    CSG_NUM_FEATURE_SETS = 128,
     /* All of a frame's programs or none: */
-    CSG_FEATURE_TEXTBOOK = 64, /* crossings of textbooks */
-    CSG_FEATURE_DIRECT = 128,  /* colours, instead of what the shading pass reads */
-    CSG_FEATURE_SHARED = 256   /* the same flat inputs, see shaders/common/inputs.glsl */
+    CSG_FEATURE_TEXTBOOK = 128, /* crossings of textbooks */
+    CSG_FEATURE_DIRECT = 256,  /* colours, instead of what the shading pass reads */
+    CSG_FEATURE_SHARED = 512   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */
