@@ -57,6 +57,8 @@ ${without("random")} |
 | of these without OpenSCAD's kernel | ${native.length} \
 (${percent(native.length, meshed.length)}) |
 | agree with the mesh | ${agreeing.length} of ${compared.length} |
+| differ by the six digits of the flattened text, with whose mesh they agree | \
+${compared.filter((row) => row.agree === "digits").length} |
 ${timed.length === 0 ? "" : `| drawn without the kernel: first picture sooner than OpenSCAD's \
 preview | ${sooner.length} of ${timed.length}; time of OpenSCAD / csgcast ${round(ratio, 3)} at the \
 median |
