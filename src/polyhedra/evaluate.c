@@ -250,8 +250,7 @@ static enum csg_hull_result evaluate_cells(const struct csg_part *part,
     return evaluator.num_cells < max_cells ? CSG_HULL_DONE : CSG_HULL_FLAT;
 }
 
-/* A union of shapes needs no cutting. */
-static bool is_union(const struct csg_part *part)
+bool csg_part_is_union(const struct csg_part *part)
 {
     for (size_t i = 0; i < part->tree.num; i++) {
         const struct csg_node *node = &part->tree.data[i];
@@ -274,9 +273,9 @@ enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_
                                        struct csg_clusters *clusters)
 {
     enum csg_hull_result result = CSG_HULL_DONE;
-    if (has_surface(part) && !(points_only && is_union(part)))
+    if (has_surface(part) && !(points_only && csg_part_is_union(part)))
         return CSG_HULL_FLAT;
-    if (!is_union(part))
+    if (!csg_part_is_union(part))
         return evaluate_cells(part, clusters);
     for (size_t i = 0; i < part->tree.num && result == CSG_HULL_DONE; i++) {
         if (part->tree.data[i].op != CSG_LEAF)

@@ -16,6 +16,9 @@ struct csg_clusters {
 
 void csg_clusters_finish(struct csg_clusters *clusters);
 
+/* Whether it is a union of shapes, which needs no cutting. */
+bool csg_part_is_union(const struct csg_part *part);
+
 /* Appends the sets; points_only: they need not be convex, it is their hull that counts.
  * CSG_HULL_FLAT: they would be too many, or a surface is none. */
 enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
