@@ -8,6 +8,7 @@
  */
 
 #include "crowd/crowd.h"
+#include "pack/screen.h"
 
 /* Pixels of a row that are cast at once. */
 #define CSG_CAST_LANES 8
@@ -21,6 +22,9 @@ struct csg_cast {
     float conic_noise;
     float plane_noise[CSG_CROWD_MAX_PLANES];
 };
+
+/* Which of a member's crossings is meant. */
+enum csg_cast_side { CSG_CAST_FRONT, CSG_CAST_REAR };
 
 /* A range of offsets from the reference pixel. */
 struct csg_cast_rect {
@@ -38,14 +42,24 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
  * be read.
  */
 
-/* Notes what the member certainly hides. */
-void csg_cast_draw(const struct csg_cast *cast, float dx, float dy, int num, float *keys);
+/* Notes what the member's side certainly hides. Whether that is more than before. */
+bool csg_cast_draw(const struct csg_cast *cast, enum csg_cast_side side, float dx, float dy,
+                   int num, float *keys);
 
-/* The pixels, as bits, at which the member may show. */
-unsigned csg_cast_shows(const struct csg_cast *cast, float dx, float dy, int num,
-                        const float *keys);
+/* The pixels, as bits, at which that side may show. */
+unsigned csg_cast_shows(const struct csg_cast *cast, enum csg_cast_side side, float dx, float dy,
+                        int num, const float *keys);
 
 /* Whether something with this key would show at any. */
 bool csg_cast_any_behind(float key, int num, const float *keys);
+
+/* Keys that grow by slope per pixel and are 0 at one offset. */
+struct csg_tilt {
+    float slope[2], at[2];
+};
+
+/* Nothing of that side, less tilt, is nearer in the rectangle; CSG_KEY_MAX: there is nothing. */
+float csg_cast_near(const struct csg_cast *cast, enum csg_cast_side side,
+                    const struct csg_cast_rect *rect, const struct csg_tilt *tilt);
 
 #endif

@@ -77,6 +77,23 @@ static void hide_block(void *user, size_t task)
     block->num = num;
 }
 
+/* Translucent members are drawn as other objects are. */
+static void demote_translucent(struct csg_cull *cull)
+{
+    for (size_t i = 0; i < cull->blocks.num; i++) {
+        struct csg_crowd_block *block = &cull->blocks.data[i];
+        struct csg_candidate *candidates = cull->candidates + block->begin;
+        uint32_t num = 0;
+        for (uint32_t j = 0; j < block->num; j++) {
+            if (cull->view.crowd->opaque[candidates[j].member])
+                candidates[num++] = candidates[j];
+            else
+                cull->demoted[candidates[j].member] = 1;
+        }
+        block->num = num;
+    }
+}
+
 static bool plan_blocks(struct csg_cull *cull)
 {
     cull->blocks.num = 0;
@@ -139,8 +156,11 @@ bool csg_cull_run(struct csg_cull *cull)
     csg_parallel(cull->blocks.num, look_at_block, cull);
     if (!csg_occlusion_draw(cull))
         return false;
-    if (cull->keys)
+    if (cull->has_relief)
         csg_parallel(cull->blocks.num, hide_block, cull);
+    if (!csg_occlusion_hide_translucent(cull))
+        return false;
+    demote_translucent(cull);
     return true;
 }
 
@@ -151,6 +171,6 @@ void csg_cull_finish(struct csg_cull *cull)
     free(cull->demoted);
     free(cull->state);
     free(cull->terms);
-    free(cull->keys);
+    csg_relief_finish(&cull->relief);
     free(cull->drawn);
 }

@@ -12,11 +12,12 @@
 
 #include "common/array.h"
 #include "crowd/member.h"
+#include "crowd/relief.h"
 
 /* Tasks of the parallel passes take as many members. */
 #define CSG_CROWD_BLOCK 2048
 
-/* A member that may show. */
+/* A member that may show; in the end an opaque one. */
 struct csg_candidate {
     uint32_t member;
     int16_t lo[2], hi[2]; /* the pixels where it may show, both ends included; y upwards */
@@ -41,7 +42,9 @@ struct csg_cull {
     CSG_ARRAY(struct csg_crowd_block) blocks;
     struct csg_candidate *candidates; /* one a member */
     uint8_t *demoted;                 /* per member: drawn as other objects are */
-    float *keys;                      /* per pixel: what is farther is hidden */
+    bool has_relief;
+    struct csg_relief relief; /* where has_relief: of the opaque members */
+    bool together;            /* so many translucent members that only their nearest sides show */
     atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell */
     float *terms;   /* of csg_member_terms, of the members that had to be cast */
     uint8_t *state; /* per member: enum csg_terms_state */

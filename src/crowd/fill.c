@@ -76,8 +76,7 @@ static void fill_block(void *user, size_t task)
     filler->pixels[task] = 0;
     for (uint32_t i = 0; i < block->num; i++) {
         const struct csg_candidate *candidate = &filler->cull.candidates[block->begin + i];
-        if (!filler->cull.view.crowd->opaque[candidate->member] ||
-            !put_member(filler, class, candidate, place, out)) {
+        if (!put_member(filler, class, candidate, place, out)) {
             memset(out, 0, stride_of(class) * sizeof *out); /* a rectangle without pixels */
             filler->cull.demoted[candidate->member] = 1;
         } else {
@@ -124,23 +123,29 @@ static bool plan(struct filler *filler)
     return true;
 }
 
-/* Members with carriers in common stay together: file order decides where they tie. What of them is
- * drawn twice has the same keys both times. */
+/* Members that may show with carriers in common stay together: file order decides where they tie.
+ * What of them is drawn twice has the same keys both times. */
 static bool demote_kin(struct filler *filler)
 {
-    const struct csg_crowd *crowd = filler->cull.view.crowd;
-    uint8_t *demoted = filler->cull.demoted;
+    const struct csg_cull *cull = &filler->cull;
+    const struct csg_crowd *crowd = cull->view.crowd;
     bool any = false;
     for (size_t i = 0; i < crowd->num && !any; i++)
-        any = demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN;
+        any = cull->demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN;
     uint8_t *kin = any ? calloc(filler->scene->objects->num + 1, 1) : NULL;
     if (!kin)
         return !any;
     for (size_t i = 0; i < crowd->num; i++)
-        if (demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN)
+        if (cull->demoted[i] && crowd->kin[i] != CSG_CROWD_NO_KIN)
             kin[crowd->kin[i]] = 1;
-    for (size_t i = 0; i < crowd->num; i++)
-        demoted[i] |= crowd->kin[i] != CSG_CROWD_NO_KIN && kin[crowd->kin[i]];
+    for (size_t i = 0; i < cull->blocks.num; i++) {
+        const struct csg_crowd_block *block = &cull->blocks.data[i];
+        for (size_t j = block->begin; j < block->begin + block->num; j++) {
+            const uint32_t member = cull->candidates[j].member;
+            cull->demoted[member] |=
+                crowd->kin[member] != CSG_CROWD_NO_KIN && kin[crowd->kin[member]];
+        }
+    }
     free(kin);
     return true;
 }
@@ -183,6 +188,7 @@ static bool fill(struct filler *filler)
         filler->frame->proxy_pixels += filler->pixels[i];
         filler->frame->solid_tests += filler->pixels[i]; /* each has one solid */
     }
+    filler->frame->crowd.together = filler->cull.together;
     return demote_kin(filler) && list_objects(filler);
 }
 

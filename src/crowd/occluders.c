@@ -5,19 +5,22 @@
 #include <string.h>
 
 /* Between the nearest and the farthest key. */
-enum { NUM_BINS = 256 };
+enum { NUM_BINS = 2048 };
 
 struct sorter {
     const struct csg_cull *cull;
     struct csg_occluders *occluders;
+    bool opaque; /* or else translucent */
     float lo, scale;
-    size_t next[CSG_NUM_BANDS][NUM_BINS];
+    uint32_t next[CSG_NUM_BANDS][NUM_BINS];
     uint8_t *band_of; /* by row */
 };
 
 int csg_band_begin(const struct csg_cull *cull, size_t band)
 {
-    return (int)((size_t)cull->view.frame->screen.height * band / CSG_NUM_BANDS);
+    const size_t height = (size_t)cull->view.frame->screen.height;
+    const size_t row = height * band / CSG_NUM_BANDS;
+    return (int)(band < CSG_NUM_BANDS ? row - row % CSG_RELIEF_SQUARE : height);
 }
 
 bool csg_hides_others(const struct csg_cull *cull, const struct csg_candidate *candidate)
@@ -74,7 +77,7 @@ static void visit(struct sorter *sorter, void (*what)(struct sorter *, size_t))
     for (size_t i = 0; i < cull->blocks.num; i++) {
         const struct csg_crowd_block *block = &cull->blocks.data[i];
         for (size_t j = block->begin; j < block->begin + block->num; j++)
-            if (csg_hides_others(cull, &cull->candidates[j]))
+            if (csg_hides_others(cull, &cull->candidates[j]) == sorter->opaque)
                 what(sorter, j);
     }
 }
@@ -87,7 +90,7 @@ static size_t plan(struct sorter *sorter)
         sorter->occluders->begin[band] = sum;
         for (int i = 0; i < NUM_BINS; i++) {
             const size_t num = sorter->next[band][i];
-            sorter->next[band][i] = sum;
+            sorter->next[band][i] = (uint32_t)sum;
             sum += num;
         }
     }
@@ -95,9 +98,9 @@ static size_t plan(struct sorter *sorter)
     return sum;
 }
 
-bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *cull)
+bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *cull, bool opaque)
 {
-    struct sorter sorter = {.cull = cull, .occluders = occluders};
+    struct sorter sorter = {.cull = cull, .occluders = occluders, .opaque = opaque};
     *occluders = (struct csg_occluders){0};
     sorter.band_of = malloc((size_t)cull->view.frame->screen.height + 1);
     if (!sorter.band_of)

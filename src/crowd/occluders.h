@@ -14,14 +14,15 @@ struct csg_occluders {
     size_t begin[CSG_NUM_BANDS + 1]; /* of a band in order */
 };
 
-/* The first row of a band; of the one behind the last: the picture's height. */
+/* The first row of a band, at the border of a relief's squares; of the one behind the last: the
+ * picture's height. */
 int csg_band_begin(const struct csg_cull *cull, size_t band);
 
 /* Translucent members hide nothing. */
 bool csg_hides_others(const struct csg_cull *cull, const struct csg_candidate *candidate);
 
-/* false: out of memory. */
-bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *cull);
+/* From the opaque candidates or the translucent ones. false: out of memory. */
+bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *cull, bool opaque);
 void csg_occluders_finish(struct csg_occluders *occluders);
 
 #endif

@@ -30,72 +30,30 @@ float csg_occlusion_near(const struct csg_screen *screen, double t)
     return (float)(key - key_noise(screen, key));
 }
 
-static struct csg_cast_rect offsets_of(const struct csg_cull *cull,
-                                       const struct csg_candidate *candidate)
+static struct csg_pixels pixels_of(const struct csg_candidate *candidate)
 {
-    const struct csg_pixel at = cull->view.frame->at;
-    const double offset[2] = {0.5 - at.x, 0.5 - at.y};
-    struct csg_cast_rect rect;
+    return (struct csg_pixels){{candidate->lo[0], candidate->lo[1]},
+                               {candidate->hi[0], candidate->hi[1]}};
+}
+
+static void set_pixels(struct csg_candidate *candidate, const struct csg_pixels *pixels)
+{
     for (int i = 0; i < 2; i++) {
-        rect.lo[i] = (float)(candidate->lo[i] + offset[i]);
-        rect.hi[i] = (float)(candidate->hi[i] + offset[i]);
+        candidate->lo[i] = (int16_t)pixels->lo[i];
+        candidate->hi[i] = (int16_t)pixels->hi[i];
     }
-    return rect;
 }
 
 /* false: it is no member that can be cast. */
-static bool prepare(const struct csg_cull *cull, const struct csg_candidate *candidate,
-                    const float *terms, struct csg_cast_rect *rect, struct csg_cast *cast)
+static bool prepare(const struct csg_cull *cull, const struct csg_relief *relief,
+                    const struct csg_candidate *candidate, const float *terms,
+                    struct csg_cast *cast)
 {
+    const struct csg_pixels pixels = pixels_of(candidate);
+    const struct csg_cast_rect rect = csg_relief_offsets(relief, &pixels);
     const float noise = (float)key_noise(screen_of(cull), (double)candidate->key);
-    *rect = offsets_of(cull, candidate);
     return terms &&
-           csg_cast_init(cast, &cull->view.crowd->classes[candidate->class], terms, rect, noise);
-}
-
-/* Rows have room for lanes behind their end. */
-static size_t stride_of(const struct csg_cull *cull)
-{
-    return (size_t)screen_of(cull)->width + CSG_CAST_LANES;
-}
-
-static float *row_of(const struct csg_cull *cull, int y)
-{
-    return cull->keys + (size_t)y * stride_of(cull);
-}
-
-static int lanes_left(const struct csg_candidate *candidate, int x)
-{
-    const int left = candidate->hi[0] - x + 1;
-    return left < CSG_CAST_LANES ? left : CSG_CAST_LANES;
-}
-
-/* Whether something of the rectangle is as near as the candidate. */
-static bool shows_in(const struct csg_cull *cull, const struct csg_candidate *candidate, int first,
-                     int last)
-{
-    for (int y = first; y <= last; y++) {
-        const float *row = row_of(cull, y);
-        for (int x = candidate->lo[0]; x <= candidate->hi[0]; x += CSG_CAST_LANES)
-            if (csg_cast_any_behind(candidate->key, lanes_left(candidate, x), row + x))
-                return true;
-    }
-    return false;
-}
-
-/* Rows first to last of an occluder. */
-static void draw(struct csg_cull *cull, const struct csg_candidate *occluder, const float *terms,
-                 int first, int last)
-{
-    struct csg_cast_rect rect;
-    struct csg_cast cast;
-    if (!prepare(cull, occluder, terms, &rect, &cast))
-        return;
-    for (int y = first; y <= last; y++)
-        for (int x = occluder->lo[0]; x <= occluder->hi[0]; x += CSG_CAST_LANES)
-            csg_cast_draw(&cast, rect.lo[0] + (float)(x - occluder->lo[0]),
-                          rect.lo[1] + (float)(y - occluder->lo[1]), lanes_left(occluder, x),
-                          row_of(cull, y) + x);
+           csg_cast_init(cast, &cull->view.crowd->classes[candidate->class], terms, &rect, noise);
 }
 
 /* Terms for a band: those that all may use are found by the one in which the occluder begins. */
@@ -108,10 +66,34 @@ static const float *terms_in(struct csg_cull *cull, const struct csg_candidate *
     return csg_member_terms(&cull->view, class, occluder->member, own) ? own : NULL;
 }
 
+/* Members that hide each other, and the reliefs they are drawn in: of near sides, of far ones. */
 struct drawing {
     struct csg_cull *cull;
     struct csg_occluders occluders;
+    struct csg_relief *reliefs;
+    size_t num_reliefs;
 };
+
+static bool may_show(const struct drawing *drawing, float key, const struct csg_pixels *pixels)
+{
+    bool shows = false;
+    for (size_t i = 0; i < drawing->num_reliefs && !shows; i++)
+        shows = csg_relief_may_show(&drawing->reliefs[i], key, pixels);
+    return shows;
+}
+
+/* What cannot be cast hides nothing and may show. */
+static void draw_occluder(const struct drawing *drawing, const struct csg_candidate *occluder,
+                          const float *terms, const struct csg_pixels *pixels)
+{
+    struct csg_cast cast;
+    const bool can_cast = prepare(drawing->cull, drawing->reliefs, occluder, terms, &cast);
+    bool shows = !can_cast;
+    for (size_t i = 0; i < drawing->num_reliefs && can_cast; i++)
+        shows = csg_relief_draw(&drawing->reliefs[i], &cast, pixels) || shows;
+    if (shows)
+        atomic_store_explicit(&drawing->cull->drawn[occluder->member], true, memory_order_relaxed);
+}
 
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
@@ -121,29 +103,33 @@ static void draw_band(void *user, size_t task)
     struct csg_cull *cull = drawing->cull;
     const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
     float own[12 + 4 * CSG_CROWD_MAX_PLANES];
-    for (float *key = row_of(cull, begin); key < row_of(cull, end + 1); key++)
-        *key = CSG_KEY_MAX;
     for (size_t i = occluders->begin[task]; i < occluders->begin[task + 1]; i++) {
         const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
-        const int first = occluder->lo[1] > begin ? occluder->lo[1] : begin;
-        const int last = occluder->hi[1] < end ? occluder->hi[1] : end;
-        if (!shows_in(cull, occluder, first, last))
-            continue;
-        atomic_store_explicit(&cull->drawn[occluder->member], true, memory_order_relaxed);
-        draw(cull, occluder, terms_in(cull, occluder, begin, own), first, last);
+        struct csg_pixels pixels = pixels_of(occluder);
+        pixels.lo[1] = pixels.lo[1] > begin ? pixels.lo[1] : begin;
+        pixels.hi[1] = pixels.hi[1] < end ? pixels.hi[1] : end;
+        if (may_show(drawing, occluder->key, &pixels))
+            draw_occluder(drawing, occluder, terms_in(cull, occluder, begin, own), &pixels);
     }
+}
+
+static bool note_drawn(struct csg_cull *cull)
+{
+    if (!cull->drawn)
+        cull->drawn = calloc(cull->view.crowd->num + 1, sizeof *cull->drawn);
+    return cull->drawn != NULL;
 }
 
 bool csg_occlusion_draw(struct csg_cull *cull)
 {
-    struct drawing drawing = {.cull = cull};
+    struct drawing drawing = {.cull = cull, .reliefs = &cull->relief, .num_reliefs = 1};
     if (!cull->view.square)
         return true;
-    bool ok = csg_occluders_fill(&drawing.occluders, cull);
+    bool ok = csg_occluders_fill(&drawing.occluders, cull, true);
     if (ok && drawing.occluders.num >= MIN_OCCLUDERS) {
-        cull->keys = malloc(stride_of(cull) * (size_t)screen_of(cull)->height * sizeof *cull->keys);
-        cull->drawn = calloc(cull->view.crowd->num + 1, sizeof *cull->drawn);
-        ok = cull->keys && cull->drawn;
+        cull->has_relief = true;
+        ok = note_drawn(cull) && csg_relief_init(&cull->relief, screen_of(cull),
+                                                 cull->view.frame->at, CSG_CAST_FRONT, NULL);
         if (ok)
             csg_parallel(CSG_NUM_BANDS, draw_band, &drawing);
     }
@@ -151,57 +137,98 @@ bool csg_occlusion_draw(struct csg_cull *cull)
     return ok;
 }
 
-static int lowest(unsigned set)
-{
-    int i = 0;
-    while (!(set >> i & 1))
-        i++;
-    return i;
-}
-
-static int highest(unsigned set)
-{
-    int i = 0;
-    while (set >> i > 1)
-        i++;
-    return i;
-}
-
-/* The pixels at which it may show, by casting it. */
-static bool narrow(const struct csg_cull *cull, const struct csg_cast *cast,
-                   const struct csg_cast_rect *rect, struct csg_candidate *candidate)
-{
-    const struct csg_candidate all = *candidate;
-    int lo[2] = {INT16_MAX, INT16_MAX}, hi[2] = {-1, -1};
-    for (int y = all.lo[1]; y <= all.hi[1]; y++)
-        for (int x = all.lo[0]; x <= all.hi[0]; x += CSG_CAST_LANES) {
-            const unsigned shows = csg_cast_shows(
-                cast, rect->lo[0] + (float)(x - all.lo[0]), rect->lo[1] + (float)(y - all.lo[1]),
-                lanes_left(&all, x), row_of(cull, y) + x);
-            if (!shows)
-                continue;
-            lo[0] = x + lowest(shows) < lo[0] ? x + lowest(shows) : lo[0];
-            hi[0] = x + highest(shows) > hi[0] ? x + highest(shows) : hi[0];
-            lo[1] = y < lo[1] ? y : lo[1];
-            hi[1] = y;
-        }
-    for (int i = 0; i < 2; i++) {
-        candidate->lo[i] = (int16_t)lo[i];
-        candidate->hi[i] = (int16_t)hi[i];
-    }
-    return hi[1] >= 0;
-}
-
 bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate)
 {
-    struct csg_cast_rect rect;
+    struct csg_pixels pixels = pixels_of(candidate);
     struct csg_cast cast;
     /* What was hidden when its turn came still is. */
     if (csg_hides_others(cull, candidate) && !cull->drawn[candidate->member])
         return false;
-    if (!shows_in(cull, candidate, candidate->lo[1], candidate->hi[1]))
+    if (!csg_relief_may_show(&cull->relief, candidate->key, &pixels))
         return false;
     const float *terms = csg_cull_terms(cull, candidate->class, candidate->member);
-    return !prepare(cull, candidate, terms, &rect, &cast) ||
-           narrow(cull, &cast, &rect, candidate);
+    if (!prepare(cull, &cull->relief, candidate, terms, &cast))
+        return true;
+    const bool shows = csg_relief_narrow(&cull->relief, &cast, &pixels);
+    set_pixels(candidate, &pixels);
+    return shows;
+}
+
+/* ---- translucent members ---- */
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* Whether it may show on either relief; narrows its rectangle to where. */
+static bool shows_on_any(const struct drawing *drawing, struct csg_candidate *candidate)
+{
+    const float *terms = csg_cull_terms(drawing->cull, candidate->class, candidate->member);
+    struct csg_cast cast;
+    if (!prepare(drawing->cull, drawing->reliefs, candidate, terms, &cast))
+        return true;
+    struct csg_pixels all = {{INT16_MAX, INT16_MAX}, {-1, -1}};
+    for (size_t i = 0; i < drawing->num_reliefs; i++) {
+        struct csg_pixels pixels = pixels_of(candidate);
+        if (!csg_relief_narrow(&drawing->reliefs[i], &cast, &pixels))
+            continue;
+        for (int j = 0; j < 2; j++) {
+            all.lo[j] = smaller(all.lo[j], pixels.lo[j]);
+            all.hi[j] = larger(all.hi[j], pixels.hi[j]);
+        }
+    }
+    set_pixels(candidate, &all);
+    return all.hi[1] >= 0;
+}
+
+static void hide_translucent_block(void *user, size_t task)
+{
+    struct drawing *drawing = user;
+    struct csg_cull *cull = drawing->cull;
+    struct csg_crowd_block *block = &cull->blocks.data[task];
+    struct csg_candidate *candidates = cull->candidates + block->begin;
+    uint32_t num = 0;
+    for (uint32_t i = 0; i < block->num; i++)
+        if (csg_hides_others(cull, &candidates[i]) ||
+            (cull->drawn[candidates[i].member] && shows_on_any(drawing, &candidates[i])))
+            candidates[num++] = candidates[i];
+    block->num = num;
+}
+
+static bool hide_translucent(struct drawing *drawing)
+{
+    static const enum csg_cast_side sides[2] = {CSG_CAST_FRONT, CSG_CAST_REAR};
+    struct csg_cull *cull = drawing->cull;
+    const struct csg_relief *base = cull->has_relief ? &cull->relief : NULL;
+    for (size_t i = 0; i < drawing->num_reliefs; i++)
+        if (!csg_relief_init(&drawing->reliefs[i], screen_of(cull), cull->view.frame->at, sides[i],
+                             base))
+            return false;
+    if (!note_drawn(cull))
+        return false;
+    csg_parallel(CSG_NUM_BANDS, draw_band, drawing);
+    csg_parallel(cull->blocks.num, hide_translucent_block, drawing);
+    return true;
+}
+
+bool csg_occlusion_hide_translucent(struct csg_cull *cull)
+{
+    struct csg_relief reliefs[2] = {{0}, {0}};
+    struct drawing drawing = {.cull = cull, .reliefs = reliefs, .num_reliefs = 2};
+    if (!cull->view.square)
+        return true;
+    bool ok = csg_occluders_fill(&drawing.occluders, cull, false);
+    cull->together = drawing.occluders.num > CSG_MAX_OVERLAYS;
+    if (ok && cull->together)
+        ok = hide_translucent(&drawing);
+    csg_occluders_finish(&drawing.occluders);
+    csg_relief_finish(&reliefs[0]);
+    csg_relief_finish(&reliefs[1]);
+    return ok;
 }

@@ -2,22 +2,26 @@
 #ifndef CSG_CROWD_OCCLUSION_H
 #define CSG_CROWD_OCCLUSION_H
 
-/*
- * A picture of the members of a crowd, by the CPU: per pixel a key behind which nothing can
- * show. It is conservative: what the shader finds is nearer by more than both sides' rounding and
- * the depth buffer's steps together.
- */
+/* Which members of a crowd hide which, by reliefs (crowd/relief.h) that they are drawn in. */
 
 #include "crowd/cull.h"
 
 /* A key that is surely nearer than all of a member whose nearest point has depth t. */
 float csg_occlusion_near(const struct csg_screen *screen, double t);
 
-/* Fills cull->keys from the candidates; leaves it NULL where there is nothing to gain. false: out
- * of memory. */
+/* Fills cull->relief from the opaque candidates where there is something to gain. false: out of
+ * memory. */
 bool csg_occlusion_draw(struct csg_cull *cull);
 
-/* Whether a candidate may show at some pixel; narrows its rectangle to those. */
+/* Whether a candidate may show at some pixel, behind those of cull->relief; narrows its rectangle
+ * to those. */
 bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate);
+
+/*
+ * More translucent objects than CSG_MAX_OVERLAYS are drawn together, so that the nearest far side
+ * shows through the nearest near one: where the crowd alone has so many, notes that, and leaves out
+ * the candidates that are neither. false: out of memory.
+ */
+bool csg_occlusion_hide_translucent(struct csg_cull *cull);
 
 #endif

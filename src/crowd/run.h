@@ -6,6 +6,10 @@
 
 #include "common/array.h"
 
+/* Translucent objects come one after the other, as OpenSCAD draws them; more than these together.
+ */
+#define CSG_MAX_OVERLAYS 64
+
 /*
  * The members of one class that a frame draws. Vertex attributes of an instance, all floats: its
  * rectangle in clip space, three texels of its quadric if any, the texel of each plane with 0
@@ -23,6 +27,7 @@ struct csg_crowd_run {
 struct csg_frame_crowd {
     CSG_ARRAY(float) instances;
     CSG_ARRAY(struct csg_crowd_run) runs;
+    bool together; /* translucent members were left out as if all overlays are drawn together */
 };
 
 #endif

@@ -334,6 +334,7 @@ static bool list_objects(struct csg_frame *frame, const struct csgcast_scene *sc
 {
     const uint32_t num = (uint32_t)scene->objects->num;
     frame->crowd.runs.num = frame->listed.num = 0;
+    frame->crowd.together = false;
     if (params->crowds)
         return csg_crowd_fill(frame, scene, params);
     if (!csg_array_reserve(&frame->listed, num + 1))

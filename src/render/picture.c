@@ -31,10 +31,6 @@ struct round {
     uint32_t object;  /* ... this one; CSG_ANY_OBJECT */
 };
 
-/* Translucent objects come one after the other, as OpenSCAD draws them; more than these together.
- */
-#define MAX_OVERLAYS 64
-
 static void set_textbook_rays(const struct csg_picture *picture, GLuint program)
 {
     struct csg_gl *gl = picture->gl;
@@ -322,14 +318,15 @@ static size_t count_overlays(const struct csg_picture *picture, uint8_t paint)
 static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
 {
     uint32_t last = CSG_ANY_OBJECT;
-    const size_t num = count_overlays(picture, paint);
+    const bool together = count_overlays(picture, paint) > CSG_MAX_OVERLAYS ||
+                          (paint == CSG_LAYER_MODEL && picture->renderer->frame.crowd.together);
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
         if (batch->paint != paint || is_opaque(batch) || batch->object == last)
             continue;
         last = batch->object;
-        draw_overlay(picture, batch, num > MAX_OVERLAYS ? CSG_ANY_OBJECT : last);
-        if (num > MAX_OVERLAYS)
+        draw_overlay(picture, batch, together ? CSG_ANY_OBJECT : last);
+        if (together)
             return;
     }
 }

@@ -16,7 +16,7 @@
 
 #include "ideal/text.h"
 
-enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_SOLIDS = 1200, NUM_VIEWS = 6, NUM_DENSE = 4000 };
+enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_SOLIDS = 1200, NUM_VIEWS = 6, NUM_DENSE = 4000, NUM_NESTED = 500 };
 
 #define MAX_NORMAL_ERROR 2e-4 /* the crowd's spheres have their normals in closed form */
 #define MAX_COLOR_ERROR 2e-3f
@@ -114,6 +114,27 @@ static char *make_scene(void)
     return text.data;
 }
 
+/* Solids around each other, from the inside out and the other way round, in full view: what is
+ * large is hidden by squares of pixels. */
+static char *make_nested_scene(bool is_translucent)
+{
+    struct text text = {0};
+    text_put(&text, "color([1, 0.5, 0, %s]) {\n", is_translucent ? "0.4" : "1");
+    for (int i = 0; i < NUM_NESTED; i++) {
+        const double r = i % 2 ? 3 + 0.004 * i : 5 - 0.004 * i;
+        text_put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 9), i % 5 ? 0 : between(0, 90));
+        text_put(&text, "translate([%.9g, 0, %.9g]) ", between(-0.1, 0.1), between(-0.1, 0.1));
+        if (i % 3 == 0)
+            text_put(&text, "sphere(r = %.9g);\n", 1.3 * r);
+        else if (i % 3 == 1)
+            text_put(&text, "cube([%.9g, %.9g, %.9g], center = true);\n", 2 * r, 1.9 * r, 2.1 * r);
+        else
+            text_put(&text, "cylinder(h = %.9g, r = %.9g, center = true);\n", 2.2 * r, r);
+    }
+    text_put(&text, "}\ncolor([0, 0, 1, 1]) cylinder(h = 14, r = 0.5);\n");
+    return text.data;
+}
+
 static struct csgcast_view view_of(int i)
 {
     static const double distances[NUM_VIEWS] = {90, 40, 25, 9, 3e4, 60};
@@ -185,9 +206,8 @@ static bool check(struct csgcast_renderer *renderer, const struct csgcast_scene 
 }
 
 /* Much is hidden: what is left out must be that. */
-static bool check_dense(struct csgcast_renderer *renderer)
+static bool check_hidden(struct csgcast_renderer *renderer, char *text)
 {
-    char *text = make_dense_scene();
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
     bool ok = scene != NULL;
     for (int i = 0; i < NUM_VIEWS && ok; i++)
@@ -205,7 +225,9 @@ int main(int argc, char **argv)
     const struct csgcast_renderer_params params = {
         .backend = strcmp(argv[1], "egl") == 0 ? CSGCAST_BACKEND_EGL : CSGCAST_BACKEND_OSMESA};
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
-    int failed = !renderer || !check_dense(renderer);
+    int failed = !renderer || !check_hidden(renderer, make_dense_scene());
+    failed = failed || !check_hidden(renderer, make_nested_scene(false)) ||
+             !check_hidden(renderer, make_nested_scene(true));
     char *text = make_scene();
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
     failed |= !scene;
