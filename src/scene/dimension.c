@@ -32,8 +32,7 @@ static void check_child(struct csg_builder *builder, uint32_t child, uint8_t wan
     if (meaning->dimension == 0 || meaning->dimension == wanted || wanted == 0)
         return;
     meaning->is_misplaced = true;
-    if (is_off(builder, child) || meaning->role == CSG_ROLE_UNKNOWN ||
-        meaning->role == CSG_ROLE_UNSUPPORTED)
+    if (is_off(builder, child) || meaning->role == CSG_ROLE_UNKNOWN)
         return;
     csg_report_warning(builder->report, CSGCAST_MESSAGE_SCENE, parsed->place,
                        wanted == 3 ? "%.*s is two-dimensional among solids; it is left out"

@@ -18,11 +18,23 @@ static bool add_empty(const struct csg_args *args, struct csg_drawing *drawing)
     return finish(args, csg_drawing_open(drawing, CSG_DRAW_UNION));
 }
 
-/* The part of a map that acts in the plane; OpenSCAD ignores the rest. */
-static bool is_regular(const struct csg_space *space)
+static void warn(const struct csg_args *args, const struct csg_value *at, const char *text)
+{
+    csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE, "%s:%u:%u: %s: %s", args->file,
+                    (unsigned)(at ? at->line : args->line),
+                    (unsigned)(at ? at->column : args->column), args->node, text);
+}
+
+/* Whether the part of the map that acts in the plane, OpenSCAD ignores the rest, leaves something of
+ * a figure. */
+static bool is_regular(const struct csg_args *args, const struct csg_space *space)
 {
     struct csg_map inverse;
-    return !space->is_empty && csg_map_invert(&space->map, &inverse);
+    if (!space->is_empty && csg_map_invert(&space->map, &inverse))
+        return true;
+    if (!space->is_empty)
+        warn(args, NULL, "a matrix around it leaves nothing of it in its plane");
+    return false;
 }
 
 static bool add_mapped(struct csg_drawing *drawing, const struct csg_space *space, double x,
@@ -53,7 +65,7 @@ bool csg_figure_square(struct csg_walk *walk, uint32_t node, const struct csg_ar
         csg_value_numbers(value, 2, size, &rounding);
     }
     if (!(size[0] > 0) || !(size[1] > 0) || !isfinite(size[0]) || !isfinite(size[1]) ||
-        !is_regular(space))
+        !is_regular(args, space))
         return add_empty(args, drawing);
     const bool center = csg_args_bool(args, "center", false);
     const struct csg_vec2 lo = {center ? -size[0] / 2 : 0, center ? -size[1] / 2 : 0};
@@ -88,7 +100,7 @@ bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_ar
     const double r = csg_args_radius(args, "r", "d", 1, &rounding);
     const struct csg_box box = {{-r, -r, 0}, {r, r, 0}};
     const struct csg_map scaling = csg_map_scaling(csg_vec3(r, r, 1));
-    if (!(r > 0) || !isfinite(r) || !is_regular(space))
+    if (!(r > 0) || !isfinite(r) || !is_regular(args, space))
         return add_empty(args, drawing);
     const int n = csg_facets_count(&facets, r);
     if (!finish(args, csg_drawing_add_figure(drawing, space_rounding(space, rounding, &box)) &&
@@ -102,13 +114,6 @@ bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_ar
 }
 
 /* ---- polygon ------------------------------------------------------------------------------ */
-
-static void warn(const struct csg_args *args, const struct csg_value *at, const char *text)
-{
-    csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE, "%s:%u:%u: %s: %s", args->file,
-                    (unsigned)(at ? at->line : args->line),
-                    (unsigned)(at ? at->column : args->column), args->node, text);
-}
 
 /* OpenSCAD draws nothing when a point is wrong. */
 static bool check_points(const struct csg_args *args, const struct csg_value *points,
@@ -182,7 +187,7 @@ bool csg_figure_polygon(struct csg_walk *walk, uint32_t node, const struct csg_a
     const struct csg_value *points = csg_args_find(args, "points");
     struct csg_box box = csg_box_empty;
     double rounding = 0;
-    if (!check_points(args, points, &rounding, &box) || !is_regular(space))
+    if (!check_points(args, points, &rounding, &box) || !is_regular(args, space))
         return add_empty(args, drawing);
     return finish(args, csg_drawing_add_figure(drawing, space_rounding(space, rounding, &box)) &&
                             add_paths(args, drawing, space, points));

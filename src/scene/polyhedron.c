@@ -46,6 +46,7 @@ static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
 static bool read_face(const struct csg_args *args, const struct csg_value *face, bool points_only,
                       struct csg_mesh *mesh)
 {
+    const size_t begin = mesh->corners.num;
     bool ok = true;
     for (size_t i = 0; face->type == CSG_VALUE_VECTOR && i < face->num && ok; i++) {
         const struct csg_value *index = &face->items[i];
@@ -58,6 +59,10 @@ static bool read_face(const struct csg_args *args, const struct csg_value *face,
                             "left out",
                             args->file, (unsigned)index->line, (unsigned)index->column);
     }
+    if (ok && !points_only && mesh->corners.num < begin + 3)
+        csg_log_warning(args->log, CSGCAST_MESSAGE_SCENE,
+                        "%s:%u:%u: polyhedron: a face has fewer than three corners; it is left out",
+                        args->file, (unsigned)face->line, (unsigned)face->column);
     return ok && (points_only || csg_mesh_close_face(mesh));
 }
 

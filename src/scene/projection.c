@@ -21,6 +21,7 @@ struct projection {
     struct csg_drawing *drawing;
     double rounding;
     bool facetted, cut;
+    bool has_area; /* of what has been drawn */
 };
 
 static bool add_point(const struct projection *projection, struct csg_flat_points *to,
@@ -61,13 +62,14 @@ static bool add_section(const struct projection *projection, const struct csg_ve
     return ok;
 }
 
-static bool add_set(const struct projection *projection, const struct csg_vec3 *corners, size_t num)
+static bool add_set(struct projection *projection, const struct csg_vec3 *corners, size_t num)
 {
     struct csg_flat_points points = {0};
     bool ok = (projection->cut ? add_section(projection, corners, num, &points)
                                : add_shadow(projection, corners, num, &points)) &&
               csg_flat_points_wrap(&points) &&
               csg_flat_points_draw(projection->drawing, &points, projection->rounding);
+    projection->has_area |= points.list.num >= 3;
     if (ok)
         projection->drawing->figures.data[projection->drawing->figures.num - 1].facetted =
             projection->facetted;
@@ -75,7 +77,7 @@ static bool add_set(const struct projection *projection, const struct csg_vec3 *
     return ok;
 }
 
-static bool add_sets(const struct projection *projection, const struct csg_clusters *clusters)
+static bool add_sets(struct projection *projection, const struct csg_clusters *clusters)
 {
     size_t begin = 0;
     bool ok = true;
@@ -127,6 +129,8 @@ static bool project(struct projection *projection, uint32_t node, struct csg_par
         ok = csg_log_memory(&walk->builder->report->log);
     else
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
+    if (projection->cut && !projection->has_area && clusters.ends.num > 0)
+        csg_walk_warning(walk, node, "nothing of what is in it is at z = 0; the section is empty");
     csg_clusters_finish(&clusters);
     return ok;
 }
