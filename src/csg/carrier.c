@@ -242,11 +242,11 @@ static bool assign_plane(struct builder *builder, const struct csg_plane *plane,
 {
     if (alone)
         return add_plane(builder, plane, extent, alone, face);
-    const bool was_met = csg_plane_table_find(&builder->planes, plane, face);
+    const bool was_met = csg_plane_table_find(&builder->planes, builder->carriers->planes, plane, face);
     const bool is_shared = was_met || find_plane(builder, plane, extent, face);
     builder->carriers->num_shared += is_shared;
     return (is_shared || add_plane(builder, plane, extent, alone, face)) &&
-           (was_met || csg_plane_table_add(&builder->planes, plane, face));
+           (was_met || csg_plane_table_add(&builder->planes, builder->carriers->planes, plane, face));
 }
 
 struct ranked_plane {

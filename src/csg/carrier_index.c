@@ -28,6 +28,7 @@ bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, do
         index->probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     index->cell = fmax(4 * slack, 1e-9 * radius);
     index->fine = fmax(4 * tolerance, 1e-12 * radius);
+    memset(index->normals, 0, sizeof index->normals);
     index->entries.num = 0;
     index->buckets.num = 0;
     if (!csg_array_reserve(&index->buckets, INITIAL_BUCKETS))
@@ -76,26 +77,14 @@ static int64_t cell_of(double coordinate)
     return (int64_t)floor(fmin(coordinate, limit));
 }
 
-static bool same_key(const struct csg_index_key *a, const struct csg_index_key *b)
+static size_t bucket_of(const struct csg_carrier_index *index, uint64_t key)
 {
-    return a->cell[0] == b->cell[0] && a->cell[1] == b->cell[1] && a->cell[2] == b->cell[2] &&
-           a->kind == b->kind;
-}
-
-static size_t bucket_of(const struct csg_carrier_index *index, const struct csg_index_key *key)
-{
-    uint64_t hash = (uint64_t)key->kind + 0x9e3779b97f4a7c15u;
-    for (int i = 0; i < 3; i++) {
-        hash ^= (uint64_t)key->cell[i];
-        hash *= 0xbf58476d1ce4e5b9u;
-        hash ^= hash >> 29;
-    }
-    return hash & (index->buckets.num - 1);
+    return key & (index->buckets.num - 1);
 }
 
 static void link_entry(struct csg_carrier_index *index, uint32_t entry)
 {
-    uint32_t *bucket = &index->buckets.data[bucket_of(index, &index->entries.data[entry].key)];
+    uint32_t *bucket = &index->buckets.data[bucket_of(index, index->entries.data[entry].key)];
     index->entries.data[entry].next = *bucket;
     *bucket = entry;
 }
@@ -113,7 +102,7 @@ static bool double_buckets(struct csg_carrier_index *index)
     return true;
 }
 
-static bool add(struct csg_carrier_index *index, struct csg_index_key key, int64_t normal,
+static bool add(struct csg_carrier_index *index, uint64_t key, int64_t normal,
                 uint32_t carrier)
 {
     const struct csg_index_entry entry = {key, normal, carrier, NO_ENTRY};
@@ -125,10 +114,28 @@ static bool add(struct csg_carrier_index *index, struct csg_index_key key, int64
     return true;
 }
 
-static struct csg_index_key key_of(int64_t kind, const double coordinates[3])
+/* Of a cell, for one of the three ways to look. */
+static uint64_t key_of_cell(uint64_t kind, const int64_t cell[3])
 {
-    return (struct csg_index_key){
-        {cell_of(coordinates[0]), cell_of(coordinates[1]), cell_of(coordinates[2])}, kind};
+    uint64_t hash = kind + 0x9e3779b97f4a7c15u;
+    for (int i = 0; i < 3; i++) {
+        hash ^= (uint64_t)cell[i];
+        hash *= 0xbf58476d1ce4e5b9u;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+static uint64_t key_of(uint64_t kind, const double coordinates[3])
+{
+    const int64_t cell[3] = {cell_of(coordinates[0]), cell_of(coordinates[1]),
+                             cell_of(coordinates[2])};
+    return key_of_cell(kind, cell);
+}
+
+static uint64_t parallel_key(int64_t normal, int64_t cell)
+{
+    return key_of_cell(KEY_PARALLEL, (const int64_t[3]){normal, cell, 0});
 }
 
 static bool is_reversed(struct csg_vec3 n)
@@ -157,15 +164,33 @@ static double parallel_coordinate(const struct csg_carrier_index *index,
     return (is_reversed(plane->normal) ? -offset : offset) / index->fine;
 }
 
+/* Cells are numbered from -1, a neighbour's; what is no direction goes to the last one. */
+static size_t direction_of(int64_t x, int64_t y)
+{
+    const int64_t last = CSG_NUM_DIRECTIONS - 2;
+    return (size_t)((x < last ? x : last) + 1) * CSG_NUM_DIRECTIONS +
+           (size_t)((y < last ? y : last) + 1);
+}
+
+static void note_direction(struct csg_carrier_index *index, const double coordinates[3],
+                           int64_t normal)
+{
+    int64_t *there =
+        &index->normals[direction_of(cell_of(coordinates[0]), cell_of(coordinates[1]))];
+    if (*there != normal)
+        *there = *there == 0 ? normal : -1;
+}
+
 static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
                        int64_t normal, uint32_t carrier)
 {
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    const struct csg_index_key key = key_of(KEY_NORMAL, coordinates);
-    for (uint32_t i = index->buckets.data[bucket_of(index, &key)]; i != NO_ENTRY;
+    note_direction(index, coordinates, normal);
+    const uint64_t key = key_of(KEY_NORMAL, coordinates);
+    for (uint32_t i = index->buckets.data[bucket_of(index, key)]; i != NO_ENTRY;
          i = index->entries.data[i].next)
-        if (same_key(&index->entries.data[i].key, &key) && index->entries.data[i].normal == normal)
+        if (index->entries.data[i].key == key && index->entries.data[i].normal == normal)
             return true;
     return add(index, key, normal, carrier);
 }
@@ -174,8 +199,7 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
                          uint32_t carrier)
 {
     const int64_t normal = number_of(plane->normal);
-    const struct csg_index_key key = {
-        {normal, cell_of(parallel_coordinate(index, plane)), 0}, KEY_PARALLEL};
+    const uint64_t key = parallel_key(normal, cell_of(parallel_coordinate(index, plane)));
     return add(index, key, normal, carrier) && add_normal(index, plane, normal, carrier);
 }
 
@@ -195,7 +219,7 @@ static int64_t neighbour_of(double coordinate)
 }
 
 /* The face's cell and, in each of the first num coordinates, the neighbour it is nearer to. */
-static void start_probe(int64_t kind, const double coordinates[3], int num,
+static void start_probe(uint64_t kind, const double coordinates[3], int num,
                         struct csg_index_probe *probe)
 {
     int64_t near[3], far[3];
@@ -208,8 +232,9 @@ static void start_probe(int64_t kind, const double coordinates[3], int num,
     probe->key = -1;
     probe->entry = NO_ENTRY;
     for (int k = 0; k < probe->num_keys; k++)
-        probe->keys[k] = (struct csg_index_key){
-            {k & 1 ? far[0] : near[0], k & 2 ? far[1] : near[1], k & 4 ? far[2] : near[2]}, kind};
+        probe->keys[k] = key_of_cell(kind, (const int64_t[3]){k & 1 ? far[0] : near[0],
+                                                              k & 2 ? far[1] : near[1],
+                                                              k & 4 ? far[2] : near[2]});
 }
 
 void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -218,8 +243,22 @@ void csg_index_probe_parallel(const struct csg_carrier_index *index, const struc
     const double coordinate = parallel_coordinate(index, plane);
     const int64_t normal = number_of(plane->normal);
     *probe = (struct csg_index_probe){.num_keys = 2, .key = -1, .entry = NO_ENTRY};
-    probe->keys[0] = (struct csg_index_key){{normal, cell_of(coordinate), 0}, KEY_PARALLEL};
-    probe->keys[1] = (struct csg_index_key){{normal, neighbour_of(coordinate), 0}, KEY_PARALLEL};
+    probe->keys[0] = parallel_key(normal, cell_of(coordinate));
+    probe->keys[1] = parallel_key(normal, neighbour_of(coordinate));
+}
+
+/* Whether some other normal lies about there: in most models there is none. */
+static bool has_neighbours(const struct csg_carrier_index *index, const double coordinates[3],
+                           int64_t normal)
+{
+    for (int k = 0; k < 4; k++) {
+        const int64_t x = k & 1 ? neighbour_of(coordinates[0]) : cell_of(coordinates[0]);
+        const int64_t y = k & 2 ? neighbour_of(coordinates[1]) : cell_of(coordinates[1]);
+        const int64_t there = index->normals[direction_of(x, y)];
+        if (there != 0 && there != normal)
+            return true;
+    }
+    return false;
 }
 
 void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -229,6 +268,8 @@ void csg_index_probe_normals(const struct csg_carrier_index *index, const struct
     plane_coordinates(index, plane, coordinates);
     start_probe(KEY_NORMAL, coordinates, 3, probe);
     probe->without = number_of(plane->normal);
+    if (!has_neighbours(index, coordinates, probe->without))
+        probe->num_keys = 0;
 }
 
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
@@ -245,11 +286,11 @@ uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_
         while (probe->entry == NO_ENTRY) {
             if (++probe->key >= probe->num_keys)
                 return UINT32_MAX;
-            probe->entry = index->buckets.data[bucket_of(index, &probe->keys[probe->key])];
+            probe->entry = index->buckets.data[bucket_of(index, probe->keys[probe->key])];
         }
         const struct csg_index_entry *entry = &index->entries.data[probe->entry];
         probe->entry = entry->next;
-        if (same_key(&entry->key, &probe->keys[probe->key]) &&
+        if (entry->key == probe->keys[probe->key] &&
             (probe->without == 0 || entry->normal != probe->without))
             return entry->carrier;
     }

@@ -14,30 +14,30 @@
 #include "common/array.h"
 #include "solids/shape.h"
 
-struct csg_index_key {
-    int64_t cell[3];
-    int64_t kind; /* which of the three */
-};
-
 struct csg_index_entry {
-    struct csg_index_key key;
-    int64_t normal; /* of KEY_NORMAL: the number of its bits */
+    uint64_t key;   /* hash of what it is found by; different ones may share it */
+    int64_t normal; /* the number of a plane's normal */
     uint32_t carrier;
     uint32_t next; /* of the same bucket; UINT32_MAX ends */
 };
+
+/* Cells of directions a side, one more on each. */
+#define CSG_NUM_DIRECTIONS 36
 
 struct csg_carrier_index {
     struct csg_vec3 center; /* where offsets are measured */
     struct csg_vec3 probes[2]; /* where quadrics are measured */
     double cell; /* length; two coincident faces differ by less than half of it, where measured */
     double fine; /* the same for parallel planes, which differ by as much everywhere */
+    /* By direction: 0, the number of the only normal that lies there, or -1 for several. */
+    int64_t normals[CSG_NUM_DIRECTIONS * CSG_NUM_DIRECTIONS];
     CSG_ARRAY(uint32_t) buckets;
     CSG_ARRAY(struct csg_index_entry) entries;
 };
 
 /* Walks the entries of the cells around a face. */
 struct csg_index_probe {
-    struct csg_index_key keys[8];
+    uint64_t keys[8];
     int num_keys, key;
     uint32_t entry;
     int64_t without; /* the number of a normal that is not asked for; 0: none */

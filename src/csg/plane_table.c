@@ -7,6 +7,7 @@
 void csg_plane_table_finish(struct csg_plane_table *table)
 {
     free(table->slots);
+    free(table->others.data);
     *table = (struct csg_plane_table){0};
 }
 
@@ -42,53 +43,103 @@ static size_t hash_of(const struct csg_plane *plane)
     return (size_t)hash;
 }
 
-/* Where the turned plane is, or would be: there is always a free slot. */
-static struct csg_plane_slot *slot_of(const struct csg_plane_table *table,
-                                      const struct csg_plane *plane)
+static bool is_other(const struct csg_plane_slot *slot)
 {
-    size_t i = hash_of(plane) & (table->room - 1);
-    while (table->slots[i].is_used && !is_same(&table->slots[i].plane, plane))
-        i = (i + 1) & (table->room - 1);
-    return &table->slots[i];
+    return slot->place >= CSG_PLANE_OTHER;
 }
 
-bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *plane,
-                          struct csg_face *face)
+/* The turned plane of a slot that is not free; its face is that of the plane so turned. */
+static struct csg_plane plane_in(const struct csg_plane_table *table,
+                                 const struct csg_plane *planes, const struct csg_plane_slot *slot,
+                                 struct csg_face *face)
+{
+    if (is_other(slot)) {
+        const struct csg_other_plane *other = &table->others.data[slot->place - CSG_PLANE_OTHER];
+        *face = other->face;
+        return other->plane;
+    }
+    struct csg_plane plane = planes[slot->place - 1];
+    const bool is_turned = turn(&plane);
+    *face = (struct csg_face){slot->place - 1, is_turned};
+    return plane;
+}
+
+static size_t place_of(const struct csg_plane_table *table, size_t hash)
+{
+    return (hash >> 32 ^ hash) & (table->room - 1);
+}
+
+/* Where the turned plane is, or would be: there is always a free slot. */
+static struct csg_plane_slot *slot_of(const struct csg_plane_table *table,
+                                      const struct csg_plane *planes,
+                                      const struct csg_plane *plane, struct csg_face *face)
+{
+    const size_t hash = hash_of(plane);
+    const uint32_t tag = (uint32_t)hash;
+    for (size_t i = place_of(table, hash);; i = (i + 1) & (table->room - 1)) {
+        struct csg_plane_slot *slot = &table->slots[i];
+        if (slot->place == 0)
+            return slot;
+        if (slot->tag != tag)
+            continue;
+        const struct csg_plane there = plane_in(table, planes, slot, face);
+        if (is_same(&there, plane))
+            return slot;
+    }
+}
+
+bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *planes,
+                          const struct csg_plane *plane, struct csg_face *face)
 {
     struct csg_plane turned = *plane;
+    struct csg_face there;
     const bool is_turned = turn(&turned);
-    const struct csg_plane_slot *slot = table->room ? slot_of(table, &turned) : NULL;
-    if (!slot || !slot->is_used)
+    if (!table->room || slot_of(table, planes, &turned, &there)->place == 0)
         return false;
-    *face = (struct csg_face){slot->face.carrier, slot->face.flipped != is_turned};
+    *face = (struct csg_face){there.carrier, there.flipped != is_turned};
     return true;
 }
 
-static bool grow(struct csg_plane_table *table)
+/* The slots of different planes; which plane is asked again. */
+static bool grow(struct csg_plane_table *table, const struct csg_plane *planes)
 {
-    const struct csg_plane_table old = *table;
+    struct csg_plane_table old = *table;
     table->room = old.room ? 2 * old.room : 64;
     table->slots = calloc(table->room, sizeof *table->slots);
     if (!table->slots) {
         *table = old;
         return false;
     }
-    for (size_t i = 0; i < old.room; i++)
-        if (old.slots[i].is_used)
-            *slot_of(table, &old.slots[i].plane) = old.slots[i];
+    for (size_t i = 0; i < old.room; i++) {
+        struct csg_face face;
+        if (old.slots[i].place == 0)
+            continue;
+        const struct csg_plane plane = plane_in(table, planes, &old.slots[i], &face);
+        size_t to = place_of(table, hash_of(&plane));
+        while (table->slots[to].place)
+            to = (to + 1) & (table->room - 1);
+        table->slots[to] = old.slots[i];
+    }
     free(old.slots);
     return true;
 }
 
-bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *plane,
-                         const struct csg_face *face)
+bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *planes,
+                         const struct csg_plane *plane, const struct csg_face *face)
 {
-    struct csg_plane turned = *plane;
+    struct csg_plane turned = *plane, own = planes[face->carrier];
+    struct csg_face there;
     const bool is_turned = turn(&turned);
-    if (2 * table->num >= table->room && !grow(table))
+    if (2 * table->num >= table->room && !grow(table, planes))
         return false;
-    *slot_of(table, &turned) =
-        (struct csg_plane_slot){turned, {face->carrier, face->flipped != is_turned}, true};
+    struct csg_plane_slot *slot = slot_of(table, planes, &turned, &there);
+    turn(&own);
+    slot->tag = (uint32_t)hash_of(&turned);
+    slot->place = face->carrier + 1;
     table->num++;
-    return true;
+    if (is_same(&own, &turned) && slot->place < CSG_PLANE_OTHER)
+        return true;
+    const struct csg_other_plane other = {turned, {face->carrier, face->flipped != is_turned}};
+    slot->place = CSG_PLANE_OTHER + (uint32_t)table->others.num;
+    return csg_array_push(&table->others, other);
 }

@@ -2,6 +2,7 @@
 #ifndef CSG_CSG_PLANE_TABLE_H
 #define CSG_CSG_PLANE_TABLE_H
 
+#include "common/array.h"
 #include "csg/carrier.h"
 
 /*
@@ -11,25 +12,33 @@
  * a skin.
  */
 struct csg_plane_slot {
+    uint32_t tag;   /* of the plane's hash */
+    uint32_t place; /* 0: free; a carrier plus one: its own plane; above CSG_PLANE_OTHER: of others */
+};
+
+#define CSG_PLANE_OTHER 0x80000000u
+
+/* A plane that got the carrier of another, nearly the same. */
+struct csg_other_plane {
     struct csg_plane plane; /* its first number that is not 0 is positive */
     struct csg_face face;
-    bool is_used;
 };
 
 /* Zero-initialise it. */
 struct csg_plane_table {
     struct csg_plane_slot *slots;
     size_t room, num;
+    CSG_ARRAY(struct csg_other_plane) others;
 };
 
 void csg_plane_table_finish(struct csg_plane_table *table);
 
-/* Whether the plane is there; face gets the plane's. */
-bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *plane,
-                          struct csg_face *face);
+/* Whether the plane is there; face gets the plane's. planes: of the carriers. */
+bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *planes,
+                          const struct csg_plane *plane, struct csg_face *face);
 
 /* Adds a plane that is not there. false: out of memory. */
-bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *plane,
-                         const struct csg_face *face);
+bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *planes,
+                         const struct csg_plane *plane, const struct csg_face *face);
 
 #endif
