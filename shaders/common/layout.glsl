@@ -79,7 +79,8 @@
 
 /*
  * An object in cells (src/cells/cells.h) begins with what rays are in the space of its cells: origin
- * and its steps a pixel, direction and its steps, half the size of the box. The cells follow.
+ * and its steps a pixel, direction and its steps, half the size of the box. The first direction's
+ * fourth component is the place of the root in the texture of all cells. The leaves' terms follow.
  */
 #define CSG_WALK_HEADER 7
 #define CSG_WALK_DEPTH 32 /* of splits */

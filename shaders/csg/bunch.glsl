@@ -52,7 +52,7 @@ csg_bunch csg_bunch_read(int p, int terms, vec2 d)
     csg_bunch bunch;
     bunch.exits = 0;
     for (int i = 0; i < CSG_BUNCH_PLANES / 4; i++) {
-        ivec4 places = terms + ivec4(csg_texel(p + i));
+        ivec4 places = terms + ivec4(csg_cell_texel(p + i));
         vec4 a = csg_texel(places.x), b = csg_texel(places.y);
         vec4 e = csg_texel(places.z), f = csg_texel(places.w);
         bunch.keys[i] =
@@ -60,14 +60,14 @@ csg_bunch csg_bunch_read(int p, int terms, vec2 d)
         bunch.exits |= csg_bunch_bits(lessThan(vec4(a.w, b.w, e.w, f.w), vec4(0.0)), 4 * i);
     }
 #ifdef CSG_HAS_QUADRIC
-    ivec4 places = terms + ivec4(csg_texel(p + CSG_BUNCH_PLANES / 4));
+    ivec4 places = terms + ivec4(csg_cell_texel(p + CSG_BUNCH_PLANES / 4));
     vec2 a = csg_bunch_quadric(places.x, d), b = csg_bunch_quadric(places.y, d);
     vec2 e = csg_bunch_quadric(places.z, d), f = csg_bunch_quadric(places.w, d);
     bunch.enters = vec4(a.x, b.x, e.x, f.x);
     bunch.leaves = vec4(a.y, b.y, e.y, f.y);
 #endif
     for (int i = 0; i < CSG_BUNCH_LITERALS / 4; i++) {
-        ivec4 masks = ivec4(csg_texel(p + CSG_BUNCH_MASKS + i));
+        ivec4 masks = ivec4(csg_cell_texel(p + CSG_BUNCH_MASKS + i));
         bunch.negated[i] = greaterThanEqual(masks, ivec4(CSG_BUNCH_NEGATED));
         bunch.masks[i] = masks & (CSG_BUNCH_NEGATED - 1);
     }
@@ -172,7 +172,7 @@ bool csg_cell_search(int begin, int end, int terms, vec2 d, float last, inout fl
 /* The leaf and the face by which the ray enters what place names, at the key that was found. */
 ivec2 csg_cell_face(ivec2 place, int terms, vec2 d)
 {
-    vec4 literals = csg_texel(place.x >> 2);
+    vec4 literals = csg_cell_texel(place.x >> 2);
     int i = place.x & 3;
     int literal = int(i == 0 ? literals.x : i == 1 ? literals.y : i == 2 ? literals.z : literals.w);
     int leaf = terms + abs(literal) - 1;

@@ -66,7 +66,7 @@ csg_cell csg_cell_run(int begin, int end, int terms, vec2 d, float k)
     csg_span span = csg_whole_ray();
     vec2 gap = vec2(CSG_KEY_MAX);
     for (int p = begin; p < end; p++) {
-        vec4 record = csg_texel(p);
+        vec4 record = csg_cell_texel(p);
         uint code = uint(record.y);
         int flags = int(code % CSG_CELL_FLAGS), place = terms + int(record.z);
         csg_walk_turns += 2;

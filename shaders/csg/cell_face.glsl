@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* What both forms of cells need, csg/cell.glsl and csg/bunch.glsl. */
 
+/* The cells of all objects: they stay on the GPU as long as the scene does not change. */
+uniform samplerBuffer csg_cells;
+
+vec4 csg_cell_texel(int i)
+{
+    return texelFetch(csg_cells, i);
+}
+
 /* Turns of loops so far, see CSG_MAX_WALK_TURNS. */
 int csg_walk_turns = 0;
 

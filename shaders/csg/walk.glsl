@@ -29,7 +29,7 @@ bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool in
     vec3 a = (-csg_handed[6].xyz - org) * inverse, b = (csg_handed[6].xyz - org) * inverse;
     vec3 near = min(a, b), far = max(a, b);
     float s = max(max(near.x, near.y), near.z), exit = min(min(far.x, far.y), far.z);
-    int root = object.x + CSG_WALK_HEADER, node = root;
+    int root = int(csg_handed[3].w), node = root;
     int nodes[CSG_WALK_DEPTH];
     float exits[CSG_WALK_DEPTH];
     int top = 0, begin = 0, end = 0;
@@ -41,7 +41,7 @@ bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool in
         /* To the next cell in which something is. */
         bool searches = true;
         while (searches) {
-            vec4 texel = csg_texel(node);
+            vec4 texel = csg_cell_texel(node);
             int code = int(texel.w), axis = code & 3;
             csg_walk_turns++;
             if (axis == 3) {

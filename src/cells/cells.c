@@ -24,9 +24,6 @@
 #define MIN_BRANCHES 4096
 #define MAX_BRANCHES ((size_t)1 << 20)
 
-/* All places are floats. */
-#define MAX_TEXELS ((size_t)1 << 24)
-
 struct job {
     struct csg_cell_builder top; /* its work is what the parts start from */
     struct csg_cell_builder *parts;
@@ -84,7 +81,7 @@ static uint32_t *find_places(const struct csgcast_scene *scene, const struct csg
         place += 1 + scene->carriers->face_begin[nodes[i].leaf + 1] - begin +
                  (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     }
-    if (place < MAX_TEXELS)
+    if (place < CSG_CELLS_MAX_TEXELS)
         return places;
     free(places);
     return NULL;
@@ -223,7 +220,8 @@ struct emitter {
 
 static bool add_texels(struct csg_cells *cells, size_t num)
 {
-    if (cells->texels.num / 4 + num > MAX_TEXELS || !csg_array_reserve(&cells->texels, 4 * num))
+    if (cells->texels.num / 4 + num > CSG_CELLS_MAX_TEXELS ||
+        !csg_array_reserve(&cells->texels, 4 * num))
         return false;
     memset(cells->texels.data + cells->texels.num, 0, 4 * num * sizeof *cells->texels.data);
     cells->texels.num += 4 * num;
@@ -287,6 +285,19 @@ static bool emit_all(struct emitter *emitter)
     return ok;
 }
 
+/* Two numbers a step; the prime is FNV's (Fowler, Noll, Vo), the shift spreads the high bits. */
+static uint64_t hash_texels(const float *texels, size_t num)
+{
+    uint64_t hash = num;
+    for (size_t i = 0; i < num; i += 2) {
+        uint64_t bits;
+        memcpy(&bits, texels + i, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001b3u;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
 static void finish_job(struct job *job)
 {
     for (size_t i = 0; i < job->top.work.num && job->parts; i++)
@@ -311,6 +322,7 @@ struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
     struct emitter emitter = {&job, cells, {0}};
     const bool ok = build(&job, scene, object, cells) && emit_all(&emitter);
     finish_job(&job);
+    cells->hash = hash_texels(cells->texels.data, cells->texels.num);
     if (ok)
         return cells;
     csg_cells_destroy(cells);

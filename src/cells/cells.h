@@ -8,6 +8,8 @@
  * depend on the scene alone, not on the view.
  */
 
+#include <stdint.h>
+
 #include "csg/object.h"
 
 /* Faces that a record of a cell names, 8 bits each, counted from 1. */
@@ -29,12 +31,16 @@ struct csg_cells {
      * The children of a split, one more than it has places, follow one another.
      */
     CSG_ARRAY(float) texels;
+    uint64_t hash; /* of the texels */
     size_t depth; /* of splits */
     bool bunched; /* cells hold bunches, see cells/bunch.h, instead of records */
     bool nested;  /* some cell's tree is no chain: its program needs a stack */
 };
 
 #define CSG_CELL_NOWHERE 1e20f
+
+/* All places in the texture are floats. */
+#define CSG_CELLS_MAX_TEXELS ((size_t)1 << 24)
 
 /* The cells of an object that can be cut so. NULL: out of memory, or they do not fit their texture.
  */

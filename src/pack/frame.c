@@ -158,9 +158,11 @@ static void note_stiff(struct packer *packer, uint32_t index)
 /* Smaller objects are drawn in tiles whatever they are. */
 #define MIN_CELL_LEAVES 200
 
-/* Solids a pixel is tested against in tiles, from which on cells are faster; few: certainly not. */
+/* Solids a pixel is tested against in tiles, from which on cells are faster; few: certainly not,
+ * many: certainly. */
 #define MAX_TESTS 6
 #define FEW_TESTS 4
+#define MANY_TESTS 12
 
 /* Rows of solids only: the stack that nested trees need makes cells slower than tiles. */
 static bool is_nested(const struct packer *packer, const struct csg_object *object)
@@ -188,12 +190,15 @@ static bool choose_cells(const struct packer *packer, const struct csg_object *o
         if (packer->terms.leaves.num < MIN_CELL_LEAVES || packer->terms.views.num ||
             packer->scene->keeps_structure || is_nested(packer, object))
             return true; /* an edit would have to make the cells anew, and perhaps a program */
-        if (!csg_tile_sample(&packer->terms, object, rect, draw, FEW_TESTS, &tests))
+        if (!csg_tile_sample(&packer->terms, object, rect, draw, FEW_TESTS, MANY_TESTS,
+                             &tests))
             return false;
         if (tests < MAX_TESTS)
             return true;
     }
     *cells = csg_cells_of(packer->scene, draw->object);
+    if (*cells && !csg_walk_has_room(packer->frame, *cells))
+        *cells = NULL;
     return true;
 }
 
@@ -359,6 +364,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     csg_screen_set_near(&frame->screen, csg_eye_near(scene, frame->screen.origin));
     frame->texels.num = 0;
     frame->draws.num = 0;
+    frame->cells.num = 0;
     frame->proxy_pixels = frame->solid_tests = 0;
     frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
     frame->tile_ms = 0;
@@ -400,6 +406,7 @@ void csg_frame_finish(struct csg_frame *frame)
 {
     free(frame->texels.data);
     free(frame->draws.data);
+    free(frame->cells.data);
     free(frame->precisions.data);
     free(frame->crowd.instances.data);
     free(frame->crowd.runs.data);

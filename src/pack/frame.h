@@ -14,6 +14,8 @@
 #include "pack/precision.h"
 #include "pack/screen.h"
 
+struct csg_cells;
+
 /* One instance: the vertex shader's attributes. */
 struct csg_instance {
     float rect[4];      /* clip space */
@@ -43,6 +45,11 @@ struct csg_frame {
     struct csg_pixel at;     /* the reference pixel of all objects */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
+    CSG_ARRAY(struct csg_frame_cells {
+        const struct csg_cells *cells; /* of the scene, alive as long as that */
+        size_t first;                  /* texel in the texture of all cells */
+    })
+    cells; /* of the draws that walk */
     CSG_ARRAY(struct csg_precision) precisions; /* by object, of the listed ones */
     size_t proxy_pixels;
     size_t solid_tests; /* see csgcast_stats */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/walk.h"
 
-#include <string.h>
-
 /* The nearest point of a box may be this much nearer than its middle, at most. */
 #define MAX_DEPTH_RATIO 50.0
 
@@ -30,7 +28,8 @@ static void put_vector(float *texel, struct csg_vec3 a, double w)
  * one, the point at depth t0 + s is origin + x origin_dx + y origin_dy + s (direction + ...), from
  * c. Its key is (alpha + beta s) / (1 + gamma s), csg_screen_key written about t0.
  */
-static void put_rays(const struct csg_frame *frame, const struct csg_cells *cells, float *to)
+static void put_rays(const struct csg_frame *frame, const struct csg_cells *cells, size_t root,
+                     float *to)
 {
     const struct csg_screen *screen = &frame->screen;
     const struct csg_pixel at = frame->at;
@@ -48,7 +47,7 @@ static void put_rays(const struct csg_frame *frame, const struct csg_cells *cell
     put_vector(to, csg_add(csg_sub(origin, c), csg_scale(t0, direction)), alpha);
     put_vector(to + 4, csg_add(screen->origin_dx, csg_scale(t0, screen->direction_dx)), beta);
     put_vector(to + 8, csg_add(screen->origin_dy, csg_scale(t0, screen->direction_dy)), gamma);
-    put_vector(to + 12, direction, 0);
+    put_vector(to + 12, direction, (double)root);
     put_vector(to + 16, screen->direction_dx, 0);
     put_vector(to + 20, screen->direction_dy, 0);
     put_vector(to + 24, csg_scale(0.5, csg_sub(cells->box.hi, cells->box.lo)), 0);
@@ -77,18 +76,31 @@ static bool put_leaf(struct csg_terms *terms, const struct csg_leaf_terms *leaf)
     return true;
 }
 
+/* Where the next cells will be. */
+static size_t end_of_cells(const struct csg_frame *frame)
+{
+    if (frame->cells.num == 0)
+        return 0;
+    const struct csg_frame_cells *last = &frame->cells.data[frame->cells.num - 1];
+    return last->first + last->cells->texels.num / 4;
+}
+
+bool csg_walk_has_room(const struct csg_frame *frame, const struct csg_cells *cells)
+{
+    return end_of_cells(frame) + cells->texels.num / 4 <= CSG_CELLS_MAX_TEXELS;
+}
+
 bool csg_walk_add(struct csg_terms *terms, const struct csg_cells *cells,
                   const struct csg_rect *rect, const struct csg_draw *draw)
 {
     struct csg_frame *frame = terms->frame;
     struct csg_draw walk = *draw;
+    const struct csg_frame_cells added = {cells, end_of_cells(frame)};
     const size_t begin = frame->texels.num / 4;
-    float *header = csg_frame_add_texels(frame, CSG_WALK_HEADER + cells->texels.num / 4);
-    if (!header)
+    float *header = csg_frame_add_texels(frame, CSG_WALK_HEADER);
+    if (!header || !csg_array_push(&frame->cells, added))
         return false;
-    put_rays(frame, cells, header);
-    memcpy(header + 4 * CSG_WALK_HEADER, cells->texels.data,
-           cells->texels.num * sizeof *cells->texels.data);
+    put_rays(frame, cells, added.first, header);
     walk.instance.records[0] = (int32_t)begin;
     walk.instance.records[1] = (int32_t)(frame->texels.num / 4);
     walk.walk = true;

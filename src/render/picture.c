@@ -60,6 +60,7 @@ static void set_screen(const struct csg_picture *picture, GLuint program)
     gl->UseProgram(program);
     gl->Uniform1i(at->data, 0);
     gl->Uniform1i(at->visible, 1);
+    gl->Uniform1i(at->cells, CSG_CELLS_UNIT);
     gl->Uniform2f(at->window, 0, (float)picture->first_row);
     gl->Uniform2f(at->at, (float)picture->renderer->frame.at.x,
                   (float)picture->renderer->frame.at.y);
@@ -391,6 +392,8 @@ static bool draw_bands(struct csg_picture *picture)
     bool ok = (pixels || picture->bytes) && (picture->visible || !marks);
     if (!ok)
         csg_log_memory(&picture->renderer->log);
+    picture->gl->ActiveTexture(GL_TEXTURE0 + CSG_CELLS_UNIT);
+    picture->gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->cells.texture);
     picture->gl->ActiveTexture(GL_TEXTURE0);
     picture->gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->data_texture);
     for (int row = 0; row < request->height && ok; row += rows) {

@@ -56,6 +56,7 @@ static void finish_gl(struct csgcast_renderer *renderer)
     if (csg_gl_enter(gl)) {
         csg_programs_finish(&renderer->programs);
         csg_targets_finish(&renderer->targets, gl);
+        csg_cells_drop(renderer);
         gl->DeleteTextures(1, &renderer->data_texture);
         gl->DeleteBuffers(1, &renderer->data_buffer.id);
         gl->DeleteBuffers(1, &renderer->instance_buffer.id);

@@ -8,10 +8,20 @@
 
 struct csg_start;
 
+/* Texture units: 0 the frame's texels, 1 what the geometry pass has found, */
+enum { CSG_CELLS_UNIT = 2 };
+
 /* One of the driver's, and its size. */
 struct csg_buffer {
     GLuint id;
     size_t bytes;
+};
+
+/* The cells that the GPU has. */
+struct csg_resident_cells {
+    GLuint texture;
+    struct csg_buffer buffer;
+    CSG_ARRAY(uint64_t) hashes; /* of csg_cells, one after the other */
 };
 
 struct csgcast_renderer {
@@ -23,6 +33,7 @@ struct csgcast_renderer {
     struct csg_targets targets;
     GLuint data_texture;
     struct csg_buffer data_buffer; /* its texels */
+    struct csg_resident_cells cells;
     int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     GLuint vertex_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;
@@ -80,6 +91,11 @@ struct csg_batches {
 /* Fills precise_objects and numerics of stats from the renderer's frame. */
 void csg_numerics_describe(const struct csgcast_renderer *renderer,
                            const struct csgcast_scene *scene, struct csgcast_stats *stats);
+
+/* Makes the frame's cells resident; *uploaded grows by what had to be handed over, in bytes. false,
+ * with a message, on failure. */
+bool csg_cells_upload(struct csgcast_renderer *renderer, size_t *uploaded);
+void csg_cells_drop(struct csgcast_renderer *renderer);
 
 /* Hands the frame's texels and instances to the driver. false, with a message, on failure. */
 bool csg_upload_frame(struct csgcast_renderer *renderer);

@@ -83,7 +83,11 @@ bool csg_upload_frame(struct csgcast_renderer *renderer)
 {
     const double start = csg_clock_ms();
     ensure_buffers(renderer);
-    const bool ok = upload_data(renderer) && upload_instances(renderer);
+    size_t cells = 0;
+    const bool ok = upload_data(renderer) && upload_instances(renderer) &&
+                    csg_cells_upload(renderer, &cells);
+    renderer->stats.texture_bytes += renderer->frame.cells.num ? renderer->cells.buffer.bytes : 0;
+    renderer->stats.bytes_uploaded += cells;
     renderer->stats.upload_ms = csg_clock_ms() - start;
     return ok;
 }

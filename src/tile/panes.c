@@ -161,13 +161,15 @@ static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row,
 
 bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw, double few,
-                     double *tests)
+                     double many, double *tests)
 {
     static const size_t rows[SAMPLES] = {1, 0, 2};
     struct pane panes[SAMPLES];
     struct job job = {terms, object, draw, panes, SAMPLES};
     double num_tests = 0, num_pixels = 0;
-    for (size_t i = 0; i < SAMPLES && (i == 0 || num_tests > few * num_pixels); i++)
+    for (size_t i = 0; i < SAMPLES && (i == 0 || (num_tests > few * num_pixels &&
+                                                  num_tests < many * num_pixels));
+         i++)
         if (!sample_row(&job, rect, rows[i], &num_tests, &num_pixels))
             return false;
     *tests = num_pixels > 0 ? num_tests / num_pixels : 0;

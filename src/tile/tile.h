@@ -36,9 +36,10 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
 bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect);
 
 /* How many solids a pixel would be tested against in tiles of the smallest size, from a few of
- * them: those that are not empty. Fewer samples are taken where the first ones say few or less. */
+ * them: those that are not empty. Fewer samples are taken where the first ones say few or less, or
+ * many or more. */
 bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw, double few,
-                     double *tests);
+                     double many, double *tests);
 
 #endif
