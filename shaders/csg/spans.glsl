@@ -17,7 +17,7 @@ csg_real csg_inside(csg_real k, csg_real2 span)
 
 csg_real csg_outside(csg_real k, csg_real2 span)
 {
-    return k >= span.x && k < span.y ? span.y : k;
+    return k < span.x ? k : max(k, span.y);
 }
 
 csg_real csg_inside_gap(csg_real k, csg_real2 span, csg_real2 gap)
@@ -42,6 +42,17 @@ int csg_face_at(csg_real k, csg_span span, bool enters)
 int csg_face_at_gap(csg_real k, csg_span span, csg_real2 gap, int quadric, bool enters)
 {
     return k == (enters ? gap.y : gap.x) ? quadric : csg_face_at(k, span, enters);
+}
+
+/* Whether a leaf that is inside just after k was not so before, and one that is outside. */
+bool csg_begins(csg_real k, csg_real2 span)
+{
+    return k == span.x;
+}
+
+bool csg_ends(csg_real k, csg_real2 span)
+{
+    return k == span.y && span.x < k;
 }
 
 /* Membership just before (x) and just after (y) k. */

@@ -22,6 +22,9 @@ void main()
         return;
     }
 #endif
+#ifdef CSG_KNOWS_NORMALS
+    int normal = place.x + place.y;
+#else
     vec4 head = csg_texel(place.x);
     bool plane = place.y < int(head.x) + int(head.y);
 #ifdef CSG_TEXTBOOK
@@ -34,6 +37,7 @@ void main()
 #ifdef CSG_HAS_SURFACE
     if ((int(head.z) & CSG_RECORD_SURFACE) != 0)
         normal = place.x + place.y;
+#endif
 #endif
     gl_FragDepth = csg_depth(k) - csg_screen_place.z;
 #ifdef CSG_DOUBLE

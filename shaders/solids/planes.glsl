@@ -14,6 +14,12 @@ void csg_clip_plane(csg_real4 texel, vec2 d, int face, inout csg_span span)
     csg_leave(k + (CSG_KEY_MAX - texel.w), face, span);
 }
 
+/* The same where it is known to be one by which rays leave. */
+void csg_clip_exit(csg_real4 texel, vec2 d, int face, inout csg_span span)
+{
+    csg_leave(csg_plane(texel, d), face, span);
+}
+
 /* The planes at texel p: first those where rays enter, then those where they leave. Two a turn:
  * llvmpipe ends all loops of a fragment after 65,535 turns. */
 void csg_clip_planes(int p, int num_entries, int num_exits, vec2 d, inout csg_span span)

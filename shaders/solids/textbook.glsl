@@ -40,6 +40,11 @@ void csg_clip_plane(vec4 texel, vec2 d, int face, inout csg_span span)
         csg_enter(CSG_KEY_MAX, face, span);
 }
 
+void csg_clip_exit(vec4 texel, vec2 d, int face, inout csg_span span)
+{
+    csg_clip_plane(texel, d, face, span);
+}
+
 /* There are no exits here: which a plane is depends on the ray. */
 void csg_clip_planes(int p, int num, int no_exits, vec2 d, inout csg_span span)
 {

@@ -56,7 +56,8 @@ bool csg_draws_whole(size_t object, const void *user)
 
 static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
 {
-    return scene->leaves[a].shape.num_planes == scene->leaves[b].shape.num_planes;
+    const struct csg_shape *x = &scene->leaves[a].shape, *y = &scene->leaves[b].shape;
+    return x->num_planes == y->num_planes && csg_shape_is_paired(x) == csg_shape_is_paired(y);
 }
 
 /* Same flags, planes and file order of the leaves: the same straight-line text. */
@@ -118,10 +119,30 @@ static GLuint choose_straight(struct chooser *chooser, const struct csg_structur
     return program;
 }
 
+/* Straight-line code takes half of the planes of paired leaves for exits, as they always are but for
+ * the rounding of planes along the rays. */
+static bool has_exits(const struct chooser *chooser, const struct csg_structure *structure,
+                      const struct csg_draw *draw)
+{
+    const float *head =
+        chooser->renderer->frame.texels.data + 4 * (size_t)draw->instance.records[0];
+    for (size_t i = 0; i < structure->num; i++) {
+        const uint32_t flags = structure->steps[i].flags;
+        const uint32_t leaf = structure->steps[i].leaf;
+        if (!(flags & CSG_RECORD_POP) && head[0] > head[1] &&
+            csg_shape_is_paired(&structure->scene->leaves[leaf].shape))
+            return false;
+        head += 4 * (1 + (int)head[0] + (int)head[1] +
+                     (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
+    }
+    return true;
+}
+
 static bool can_be_straight(struct chooser *chooser, const struct csg_structure *structure,
                             const struct csg_draw *draw)
 {
     return !draw->around_eye && csg_structure_is_small(structure) &&
+           (chooser->request->textbook || has_exits(chooser, structure, draw)) &&
            (structure->num == 1 || !chooser->request->shared) &&
            (chooser->num_straight < MAX_STRAIGHT_PROGRAMS ||
             find_straight(chooser, structure, draw->stiff));

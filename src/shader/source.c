@@ -37,6 +37,13 @@ void csg_text_add(struct csg_text *text, const char *format, ...)
     va_end(args);
 }
 
+void csg_text_end_search(struct csg_text *text)
+{
+    csg_text_add(text, "        bool further = r0 > k && r0 < csg_screen_key.z;\n"
+                       "        k = r0;\n        if (!further)\n            break;\n    }\n"
+                       "    if (k >= csg_screen_key.z)\n        return false;\n");
+}
+
 static void add_file(struct csg_text *text, const char *name)
 {
     for (size_t i = 0; i < csg_num_shader_files; i++)
@@ -146,6 +153,7 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
     add_file(vertex, "common/data.glsl");
     add_file(vertex, "common/screen.vert.glsl");
     add_file(vertex, "solids/sense.glsl");
+    add_file(vertex, "csg/normals.glsl");
     if (features & CSG_FEATURE_QUADRIC)
         csg_text_add(fragment, "#define CSG_HAS_QUADRIC\n");
     if (features & CSG_FEATURE_GAP)
@@ -173,6 +181,8 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
     if (features & CSG_FEATURE_SURFACE)
         add_file(fragment, "solids/surface.glsl");
     add_file(fragment, "csg/change.glsl");
+    if (resolver == CSG_RESOLVER_STRAIGHT || resolver == CSG_RESOLVER_CHAIN)
+        add_file(fragment, "csg/normals.glsl");
 }
 
 /* What becomes of a visible face. */
@@ -230,7 +240,7 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
         num_handed = CSG_WALK_HEADER;
     }
     if (resolver == CSG_RESOLVER_STRAIGHT)
-        num_handed = csg_source_straight(&vertex, &fragment, structure, max_handed);
+        num_handed = csg_source_straight(&vertex, &fragment, structure, features, max_handed);
     add_spare(&vertex, &fragment, features, num_handed);
     return finish_geometry(&vertex, &fragment, features);
 }

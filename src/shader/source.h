@@ -119,7 +119,11 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features
 /* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. Returns how many texels
  * are handed over. */
 size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
-                         const struct csg_structure *structure, size_t max_handed);
+                           const struct csg_structure *structure, int features, size_t max_handed);
+
+/* The end of the search for the first true point, a loop whose body has left in r0 what the whole
+ * tree says at k: a ray that meets nothing stays beyond all keys. */
+void csg_text_end_search(struct csg_text *text);
 
 /* A chain's csg_hand_over, and csg_resolve. */
 void csg_source_chain(struct csg_text *vertex, struct csg_text *fragment,

@@ -10,11 +10,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* As CSG_NORMALS_MAX_PLANES of shaders/csg/normals.glsl. */
+#define MAX_NORMALS 6
+
 struct leaf_code {
     size_t record; /* offset of the record from the object's first */
     unsigned rank; /* among the object's leaves, in file order */
     size_t num_planes;
+    bool paired; /* of opposite planes no ray enters by both */
     bool gap;
+    bool normals; /* the places of its normals are handed over, as n0, n1, ... by step */
 };
 
 static bool is_pop(const struct csg_structure *structure, size_t step)
@@ -36,6 +41,41 @@ struct parameters {
     struct csg_text *vertex, *fragment;
     size_t num_handed, max_handed;
 };
+
+static size_t count_texels(const struct csg_structure *structure, const struct leaf_code *leaves)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < structure->num; i++)
+        num += leaves[i].num_planes + (structure->steps[i].flags & CSG_RECORD_QUADRIC ? 3 : 0);
+    return num;
+}
+
+/* Whether there is room for the places of the normals. Two leaves take an input together. */
+static bool can_hand_normals(const struct csg_structure *structure, const struct leaf_code *leaves,
+                             size_t max_handed)
+{
+    for (size_t i = 0; i < structure->num; i++)
+        if (leaves[i].num_planes > MAX_NORMALS)
+            return false;
+    return count_texels(structure, leaves) + (structure->num + 1) / 2 <= max_handed;
+}
+
+static void add_normals(struct parameters *parameters, const struct csg_structure *structure,
+                        struct leaf_code *leaves)
+{
+    bool second = false;
+    for (size_t i = 0; i < structure->num; i++) {
+        if (is_pop(structure, i))
+            continue;
+        const size_t input = second ? parameters->num_handed - 1 : parameters->num_handed++;
+        const char *part = second ? "zw" : "xy";
+        csg_text_add(parameters->vertex, "    csg_handed[%zu].%s = csg_normals_of(begin + %zu, %zu);\n",
+                     input, part, leaves[i].record, leaves[i].num_planes);
+        csg_text_add(parameters->fragment, "    vec2 n%zu = csg_handed[%zu].%s;\n", i, input, part);
+        second = !second;
+        leaves[i].normals = true;
+    }
+}
 
 /* A fragment's expression for the texel at offset from the object's first record, prepared by the
  * function of that name. */
@@ -85,7 +125,9 @@ static void add_spans(struct parameters *parameters, const struct csg_structure 
             continue;
         csg_text_add(text, "    csg_span s%zu = csg_whole_ray();\n", i);
         for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
-            csg_text_add(text, "    csg_clip_plane(");
+            /* Entries come first. */
+            const bool exit = leaves[i].paired && plane >= leaves[i].num_planes / 2;
+            csg_text_add(text, "    csg_clip_%s(", exit ? "exit" : "plane");
             add_texel(parameters, "csg_plane_sense", leaves[i].record + 1 + plane);
             csg_text_add(text, ", d, %zu, s%zu);\n", plane, i);
         }
@@ -107,7 +149,9 @@ static void fill_leaves(const struct csg_structure *structure, struct leaf_code 
         if (is_pop(structure, i))
             continue;
         leaves[i].rank = rank_of(structure, i);
-        leaves[i].num_planes = structure->scene->leaves[structure->steps[i].leaf].shape.num_planes;
+        const struct csg_shape *shape = &structure->scene->leaves[structure->steps[i].leaf].shape;
+        leaves[i].num_planes = shape->num_planes;
+        leaves[i].paired = csg_shape_is_paired(shape);
         record += leaves[i].num_planes + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
     }
 }
@@ -155,6 +199,16 @@ static void add_steps(struct csg_text *text, const struct csg_structure *structu
     }
 }
 
+/* The place of the leaf's face of which face is the number, in text. */
+static void add_place(struct csg_text *text, const struct leaf_code *leaves, size_t i,
+                      const char *face)
+{
+    if (leaves[i].normals)
+        csg_text_add(text, "csg_normal_at(n%zu, %s)", i, face);
+    else
+        csg_text_add(text, "ivec2(begin + %zu, %s)", leaves[i].record, face);
+}
+
 static void add_change_value(struct csg_text *text, const struct csg_structure *structure, size_t i,
                              const struct leaf_code *leaves, const char *at)
 {
@@ -165,13 +219,16 @@ static void add_change_value(struct csg_text *text, const struct csg_structure *
         csg_text_add(text, "csg_around_gap(k, s%zu.key, g%zu)", i, i);
     else
         csg_text_add(text, "csg_around(k, s%zu.key)", i);
-    csg_text_add(text, "%s, %u%s, ivec2(begin + %zu, ", negated ? ")" : "", leaves[i].rank,
-                 negated ? " + CSG_RANK_NEGATED" : "", leaves[i].record);
+    csg_text_add(text, "%s, %u%s, ", negated ? ")" : "", leaves[i].rank,
+                 negated ? " + CSG_RANK_NEGATED" : "");
+    char face[96];
     if (leaves[i].gap)
-        csg_text_add(text, "csg_face_at_gap(k, s%zu, g%zu, %zu, %s)))", i, i, leaves[i].num_planes,
-                     negated ? "false" : "true");
+        snprintf(face, sizeof face, "csg_face_at_gap(k, s%zu, g%zu, %zu, %s)", i, i,
+                 leaves[i].num_planes, negated ? "false" : "true");
     else
-        csg_text_add(text, "csg_face_at(k, s%zu, %s)))", i, negated ? "false" : "true");
+        snprintf(face, sizeof face, "s%zu.face.%s", i, negated ? "y" : "x");
+    add_place(text, leaves, i, face);
+    csg_text_add(text, ")");
 }
 
 static void declare_registers(struct csg_text *text, const struct csg_structure *structure,
@@ -195,32 +252,85 @@ static void add_search(struct csg_text *text, const struct csg_structure *struct
     csg_text_add(text, "    k = -CSG_KEY_MAX;\n    for (;;) {\n");
     declare_registers(text, structure, "        ", "float");
     add_steps(text, structure, "        ", "max", "min", add_next_value, leaves);
-    csg_text_add(text, "        if (!(r0 > k))\n            break;\n"
-                       "        k = r0;\n"
-                       "        if (k >= csg_screen_key.z)\n            return false;\n    }\n");
+    csg_text_end_search(text);
+}
+
+/* Solids and complements that must all be true: whichever of them became so at k is responsible, and
+ * which of several is known by their order. */
+static bool is_flat(const struct csg_structure *structure, const struct leaf_code *leaves)
+{
+    for (size_t i = 0; i < structure->num; i++)
+        if (leaves[i].gap || is_pop(structure, i) ||
+            !(structure->steps[i].flags & (CSG_RECORD_START | CSG_RECORD_AND)))
+            return false;
+    return true;
+}
+
+/* The step that comes last in csg_choose's order, but for those that have come before. */
+static size_t last_choice(const struct csg_structure *structure, const struct leaf_code *leaves,
+                          const bool *placed)
+{
+    size_t last = structure->num;
+    for (size_t i = 0; i < structure->num; i++) {
+        const bool negated = structure->steps[i].flags & CSG_RECORD_NEGATED;
+        if (placed[i])
+            continue;
+        const bool than = last < structure->num && structure->steps[last].flags & CSG_RECORD_NEGATED;
+        if (last == structure->num || (negated && !than) ||
+            (negated == than && leaves[i].rank > leaves[last].rank))
+            last = i;
+    }
+    return last;
+}
+
+static void add_flat_change(struct csg_text *text, const struct csg_structure *structure,
+                            const struct leaf_code *leaves)
+{
+    bool placed[CSG_STRAIGHT_MAX_STEPS] = {false};
+    for (size_t num = 0; num < structure->num; num++) {
+        const size_t i = last_choice(structure, leaves, placed);
+        const bool negated = structure->steps[i].flags & CSG_RECORD_NEGATED;
+        char face[32];
+        snprintf(face, sizeof face, "s%zu.face.%s", i, negated ? "y" : "x");
+        csg_text_add(text, "    place = ");
+        if (num > 0)
+            csg_text_add(text, "!csg_%s(k, s%zu.key) ? place : ", negated ? "ends" : "begins", i);
+        add_place(text, leaves, i, face);
+        csg_text_add(text, ";\n");
+        placed[i] = true;
+    }
+    csg_text_add(text, "    return true;\n}\n");
 }
 
 static void add_change(struct csg_text *text, const struct csg_structure *structure,
                        const struct leaf_code *leaves)
 {
+    if (is_flat(structure, leaves)) {
+        add_flat_change(text, structure, leaves);
+        return;
+    }
     declare_registers(text, structure, "    ", "csg_change");
     add_steps(text, structure, "    ", "csg_all", "csg_any", add_change_value, leaves);
     csg_text_add(text, "    place = r0.place;\n    return true;\n}\n");
 }
 
 size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
-                           const struct csg_structure *structure, size_t max_handed)
+                           const struct csg_structure *structure, int features, size_t max_handed)
 {
     struct leaf_code *leaves = calloc(structure->num, sizeof *leaves);
     struct csg_text handing = {0}, code = {0};
     struct parameters parameters = {&handing, &code, 0, max_handed};
     if (leaves) {
         fill_leaves(structure, leaves);
+        if (!(features & CSG_FEATURE_TEXTBOOK) && can_hand_normals(structure, leaves, max_handed))
+            add_normals(&parameters, structure, leaves);
         add_quadrics(&parameters, structure, leaves);
         add_spans(&parameters, structure, leaves);
         add_search(&code, structure, leaves);
         add_change(&code, structure, leaves);
         csg_text_add(vertex, "#define CSG_NUM_HANDED %zu\n", parameters.num_handed);
+        if (leaves[0].normals)
+            csg_text_add(fragment, "#define CSG_KNOWS_NORMALS\n");
         csg_text_add(fragment,
                      "#define CSG_NUM_HANDED %zu\nflat in vec4 csg_handed[CSG_NUM_HANDED];\n\n"
                      "bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place,"

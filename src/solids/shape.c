@@ -63,6 +63,28 @@ bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
 }
 
 /* There is room for the next power of two of planes: only this function makes it. */
+/* Of unit normals that are exactly opposite, as rounding leaves them. */
+#define OPPOSITE 1e-12
+
+/* As many face its way as face the opposite one. */
+static bool is_balanced(const struct csg_shape *shape, size_t plane)
+{
+    int balance = 0;
+    for (size_t i = 0; i < shape->num_planes; i++) {
+        const double along = csg_dot(shape->planes[i].normal, shape->planes[plane].normal);
+        balance += along > 1 - OPPOSITE ? 1 : along < OPPOSITE - 1 ? -1 : 0;
+    }
+    return balance == 0;
+}
+
+bool csg_shape_is_paired(const struct csg_shape *shape)
+{
+    for (size_t i = 0; i < shape->num_planes; i++)
+        if (!is_balanced(shape, i))
+            return false;
+    return true;
+}
+
 static bool make_room(struct csg_shape *shape)
 {
     const size_t num = shape->num_planes;

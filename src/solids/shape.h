@@ -70,6 +70,10 @@ bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map);
 /* Replaces the plane by its image under the map that inverse undoes. */
 void csg_plane_map(struct csg_plane *plane, const struct csg_map *inverse);
 
+/* Whether its planes come in pairs that face opposite ways: no ray that starts outside can enter by
+ * more than half of them. */
+bool csg_shape_is_paired(const struct csg_shape *shape);
+
 /* Appends the plane normal.x <= offset; normal need not be a unit vector. false: out of memory. */
 bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double offset);
 
