@@ -6,7 +6,8 @@ flat in vec4 csg_lit; /* direction of the light in world space, ambient part */
 
 /* What is visible at pixel d, key k: place is that of its face's normal in the data texture. */
 struct csg_face {
-    vec3 normal;
+    vec3 normal;    /* times size */
+    float size;
     float key;      /* of an object in double: put right */
     int attributes; /* place of its block */
 };
@@ -15,6 +16,7 @@ csg_face csg_face_of(int place, vec2 d, float k)
 {
     vec4 face = csg_texel(place);
     vec3 normal = face.xyz;
+    float size = 1.0;
     if (face.w < 0.0) {
 #ifdef CSG_TEXTBOOK
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
@@ -25,16 +27,19 @@ csg_face csg_face_of(int place, vec2 d, float k)
         normal += d.x * u.xyz + d.y * v.xyz + k * w.xyz;
         k += u.w + (d.x * v.w + d.y * w.w);
 #endif
-        float size = length(normal);
-        normal = size > 0.0 ? normal / size : vec3(0.0, 0.0, 1.0);
+        size = length(normal);
+        if (!(size > 0.0)) {
+            normal = vec3(0.0, 0.0, 1.0);
+            size = 1.0;
+        }
     }
-    return csg_face(normal, k, (int(abs(face.w)) - 1) * 4);
+    return csg_face(normal, size, k, (int(abs(face.w)) - 1) * 4);
 }
 
 vec4 csg_color_of(csg_face face)
 {
     vec4 base = csg_texel(face.attributes + CSG_ATTRIBUTE_COLOR);
-    float light = csg_lit.w + abs(dot(face.normal, csg_lit.xyz));
+    float light = csg_lit.w + abs(dot(face.normal, csg_lit.xyz)) / face.size;
     return vec4(min(base.rgb * light, 1.0), base.a);
 }
 

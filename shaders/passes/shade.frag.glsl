@@ -28,7 +28,7 @@ void main()
 #ifdef CSG_WANT_BYTES
     csg_color = csg_rounded(csg_color);
 #else
-    csg_geometry = vec4(face.normal, csg_distance(face.key));
+    csg_geometry = vec4(face.normal / face.size, csg_distance(face.key));
 #endif
 #ifdef CSG_WANT_LEAF
     csg_leaf = vec4(csg_texel(face.attributes + CSG_ATTRIBUTE_LEAF).x);
