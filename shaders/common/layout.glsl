@@ -65,6 +65,9 @@
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
+/* In a chain's slot: the complement of a leaf. The rest is the code of its quadric. */
+#define CSG_CHAIN_NEGATED 128
+
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
 #define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/turns.glsl */
 

@@ -219,8 +219,8 @@ static int find_chain(const struct chooser *chooser, const struct csg_draw *draw
     if (!wanted || !draw->tile || draw->stiff || draw->precise || draw->around_eye ||
         request->textbook)
         return -1;
-    const int chain = csg_chain_find(texels + 4 * (size_t)draw->instance.records[0],
-                                     texels + 4 * (size_t)draw->instance.records[1]);
+    const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
+                                     (size_t)draw->instance.records[1]);
     const size_t size = chain < 0 ? 0 : csg_chain_size(&csg_chains[chain]);
     return size <= chooser->max_handed ? chain : -1;
 }

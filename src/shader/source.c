@@ -150,6 +150,10 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         csg_text_add(vertex, "#define CSG_TEXTBOOK\n");
         csg_text_add(fragment, "#define CSG_TEXTBOOK\n");
     }
+    if (resolver == CSG_RESOLVER_CHAIN) {
+        csg_text_add(vertex, "#define CSG_IS_CHAIN\n");
+        csg_text_add(fragment, "#define CSG_IS_CHAIN\n");
+    }
     add_file(vertex, "common/data.glsl");
     add_file(vertex, "common/screen.vert.glsl");
     add_file(vertex, "solids/sense.glsl");

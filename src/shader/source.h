@@ -53,7 +53,7 @@ enum csg_feature {
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
 #define CSG_ALGORITHM4_MAX_CROSSINGS 192
 
-/* A program for chains, see shaders/csg/chain.glsl. */
+/* A program for chains, intersections of a few solids and complements, see shaders/csg/chain.glsl. */
 struct csg_chain {
     int slots;     /* solids at most */
     int handed;    /* ... that the vertex stage reads; fragments read the others */
@@ -72,8 +72,8 @@ size_t csg_chain_handed(const struct csg_chain *chain);
 #define CSG_SHARED_FEW 16
 #define CSG_SHARED_MANY 27
 
-/* The smallest chain that these records, texels of a draw, fit; -1: none. */
-int csg_chain_find(const float *records, const float *end);
+/* The smallest chain that the records at [begin, end) of a frame's texels fit; -1: none. */
+int csg_chain_find(const float *texels, size_t begin, size_t end);
 
 struct csg_text {
     char *data; /* zero-terminated; NULL when memory ran out */

@@ -68,10 +68,12 @@ static void add_normals(struct parameters *parameters, const struct csg_structur
         if (is_pop(structure, i))
             continue;
         const size_t input = second ? parameters->num_handed - 1 : parameters->num_handed++;
-        const char *part = second ? "zw" : "xy";
-        csg_text_add(parameters->vertex, "    csg_handed[%zu].%s = csg_normals_of(begin + %zu, %zu);\n",
-                     input, part, leaves[i].record, leaves[i].num_planes);
-        csg_text_add(parameters->fragment, "    vec2 n%zu = csg_handed[%zu].%s;\n", i, input, part);
+        const char *format = second ? "    csg_handed[%zu].zw = csg_normals_of(begin + %zu, %zu);\n"
+                                    : "    csg_handed[%zu] = vec4(csg_normals_of(begin + %zu, %zu), "
+                                      "0.0, 0.0);\n";
+        csg_text_add(parameters->vertex, format, input, leaves[i].record, leaves[i].num_planes);
+        csg_text_add(parameters->fragment, "    vec2 n%zu = csg_handed[%zu].%s;\n", i, input,
+                     second ? "zw" : "xy");
         second = !second;
         leaves[i].normals = true;
     }

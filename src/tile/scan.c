@@ -40,6 +40,26 @@ static int compare_operands(const void *a, const void *b)
     return x->node < y->node ? -1 : x->node > y->node;
 }
 
+/* csg_choose's order: solids before complements, then the order of the file. Chains ask for it. */
+static double rank_of(const struct csg_node *node)
+{
+    return (double)node->leaf + (node->negated ? 0x1p32 : 0);
+}
+
+/* Whether all operands of the outermost intersection are leaves; they then get their rank for a
+ * start. */
+static bool rank_operands(struct csg_scan *scan, const struct csg_tree *tree)
+{
+    for (size_t i = 0; i < scan->operands.num; i++) {
+        const struct csg_node *node = &tree->data[scan->operands.data[i].node];
+        if (node->op != CSG_LEAF)
+            return false;
+        scan->operands.data[i].start = rank_of(node);
+    }
+    qsort(scan->operands.data, scan->operands.num, sizeof *scan->operands.data, compare_operands);
+    return true;
+}
+
 static bool sort_operands(struct csg_scan *scan, const struct csg_tree *tree,
                           const struct csg_leaf_range *leaves)
 {
@@ -86,13 +106,13 @@ static bool add_operand(struct csg_scan *scan, const struct csgcast_scene *scene
 }
 
 static bool add_operands(struct csg_scan *scan, const struct csgcast_scene *scene,
-                         const struct csg_tree *tree)
+                         const struct csg_tree *tree, bool bounded)
 {
     double bound = -INFINITY;
     size_t last = 1;
     for (size_t i = 0; i < scan->operands.num; i++) {
         const struct csg_scan_operand *operand = &scan->operands.data[i];
-        if (i >= last + OPERANDS_PER_BOUND - 1 && operand->start > bound) {
+        if (bounded && i >= last + OPERANDS_PER_BOUND - 1 && operand->start > bound) {
             bound = operand->start;
             last = i;
             if (!add_step(scan, CSG_RECORD_BOUND, bound))
@@ -112,7 +132,8 @@ bool csg_scan_fill(struct csg_scan *scan, const struct csgcast_scene *scene,
         return csg_program_append(&scan->program, scene, tree, 0);
     if (!sort_operands(scan, tree, leaves))
         return false;
-    if (scan->operands.num < MIN_OPERANDS)
-        return csg_program_append(&scan->program, scene, tree, 0);
-    return add_operands(scan, scene, tree);
+    if (scan->operands.num >= MIN_OPERANDS)
+        return add_operands(scan, scene, tree, true);
+    return rank_operands(scan, tree) ? add_operands(scan, scene, tree, false)
+                                     : csg_program_append(&scan->program, scene, tree, 0);
 }
