@@ -136,18 +136,31 @@ static float squared_distance(const float a[3], const float b[3])
     return to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
 }
 
-static void guess(struct csg_cutter *cutter, uint32_t num)
+static void fan(struct csg_cutter *cutter, uint32_t first, uint32_t num)
 {
-    const float(*p)[3] = (const float(*)[3])cutter->corners;
-    const uint32_t first =
-        num == 4 && squared_distance(p[3], p[1]) < squared_distance(p[2], p[0]) ? 1 : 0;
-    cutter->num_guessed++;
     cutter->num_triangles = num - 2;
     for (uint32_t i = 0; i + 2 < num; i++) {
         cutter->triangles[i][0] = first;
         cutter->triangles[i][1] = (first + i + 1) % num;
         cutter->triangles[i][2] = (first + i + 2) % num;
     }
+}
+
+static void guess(struct csg_cutter *cutter, uint32_t num)
+{
+    const float(*p)[3] = (const float(*)[3])cutter->corners;
+    const bool is_other = num == 4 && squared_distance(p[3], p[1]) < squared_distance(p[2], p[0]);
+    cutter->num_guessed++;
+    fan(cutter, is_other, num);
+}
+
+/* The diagonal leaves out the corner that is cut off. */
+static void cut_crossed(struct csg_cutter *cutter, const uint32_t *face, bool reversed)
+{
+    uint32_t numbers[4];
+    for (int i = 0; i < 4; i++)
+        numbers[i] = cutter->numbers[face[reversed ? 3 - i : i]];
+    fan(cutter, csg_crossed_corner(numbers) % 2 == 0, 4);
 }
 
 /* Where two of four corners are projected to one place the sweep leaves one triangle out. */
@@ -162,7 +175,7 @@ static void add_missing(struct csg_cutter *cutter)
 }
 
 /* A map that mirrors turns faces over in OpenSCAD, so that they look outwards. */
-static bool is_reversed(const struct csg_cut_space *space)
+bool csg_cut_space_is_reversed(const struct csg_cut_space *space)
 {
     return space && space->reversed != (csg_map_determinant(&space->map) < 0);
 }
@@ -195,7 +208,7 @@ static void reverse_triangles(struct csg_cutter *cutter, uint32_t num)
 bool csg_cutter_cut(struct csg_cutter *cutter, const struct csg_vec3 *points, const uint32_t *face,
                     uint32_t num)
 {
-    const bool reversed = is_reversed(cutter->space);
+    const bool reversed = csg_cut_space_is_reversed(cutter->space);
     bool ok = make_room(cutter, num);
     if (!cutter->was_opened)
         open_module(cutter);
@@ -210,6 +223,8 @@ bool csg_cutter_cut(struct csg_cutter *cutter, const struct csg_vec3 *points, co
         add_missing(cutter);
     else if (cutter->num_triangles + 2 == num)
         ok = csg_flip_edges(projected, cutter->triangles, cutter->num_triangles);
+    else if (num == 4 && cutter->module && cutter->numbers)
+        cut_crossed(cutter, face, reversed);
     else
         guess(cutter, num);
     if (reversed)

@@ -22,13 +22,17 @@ struct csg_cut_space {
     bool reversed;      /* OpenSCAD has the corners of a face in the other order, before the map */
 };
 
+/* Whether OpenSCAD has the corners in the other order there. */
+bool csg_cut_space_is_reversed(const struct csg_cut_space *space);
+
 /* One face after the other; zero-initialise it. */
 struct csg_cutter {
     const struct csg_cut_space *space; /* NULL: that of the points */
+    const uint32_t *numbers;           /* of the points in OpenSCAD; NULL: not known */
     void *handle;                      /* of the module, once it was needed */
     const struct csg_tess_module *module;
     bool was_opened;
-    size_t num_guessed; /* faces cut without it: four corners by the shorter diagonal, else a fan */
+    size_t num_guessed; /* faces cut otherwise: four corners by the shorter diagonal, else a fan */
     uint32_t (*triangles)[3]; /* of the last face: its corners, from 0 on */
     size_t num_triangles;
     float (*corners)[3], (*projected)[2];
@@ -40,6 +44,10 @@ void csg_cutter_finish(struct csg_cutter *cutter);
 /* Cuts the face with the corners points[face[0]], points[face[1]]... false: out of memory. */
 bool csg_cutter_cut(struct csg_cutter *cutter, const struct csg_vec3 *points, const uint32_t *face,
                     uint32_t num);
+
+/* Of a face of four corners that crosses itself, by their numbers in OpenSCAD: which one is cut off
+ * first. */
+int csg_crossed_corner(const uint32_t numbers[4]);
 
 /* Flips edges between triangles, counter-clockwise by their corners, while the angles that face the
  * edge are more than 180 degrees and 0.01 radians. false: out of memory. */

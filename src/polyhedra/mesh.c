@@ -186,11 +186,30 @@ bool csg_mesh_is_bent(const struct csg_mesh *mesh)
     return false;
 }
 
+/* OpenSCAD numbers points as it meets them in the faces. NULL: out of memory. */
+static uint32_t *number_points(const struct csg_mesh *mesh, bool reversed)
+{
+    uint32_t *numbers = malloc((mesh->points.num + 1) * sizeof *numbers), num = 0;
+    for (size_t i = 0; i < mesh->points.num && numbers; i++)
+        numbers[i] = UINT32_MAX;
+    for (size_t i = 0; i < mesh->faces.num && numbers; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        for (uint32_t j = face->begin; j < face->end; j++) {
+            const uint32_t k = reversed ? face->begin + face->end - 1 - j : j;
+            if (numbers[mesh->corners.data[k]] == UINT32_MAX)
+                numbers[mesh->corners.data[k]] = num++;
+        }
+    }
+    return numbers;
+}
+
 bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space)
 {
     struct csg_mesh clean = {.size = mesh->size, .rounding = mesh->rounding};
-    struct csg_cutter cutter = {.space = space};
-    bool ok = join_points(mesh);
+    uint32_t *numbers = NULL;
+    bool ok =
+        join_points(mesh) && (numbers = number_points(mesh, csg_cut_space_is_reversed(space)));
+    struct csg_cutter cutter = {.space = space, .numbers = numbers};
     clean.points.data = mesh->points.data;
     clean.points.num = mesh->points.num;
     clean.points.capacity = mesh->points.capacity;
@@ -203,6 +222,7 @@ bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space)
     }
     clean.num_guessed = cutter.num_guessed;
     csg_cutter_finish(&cutter);
+    free(numbers);
     free(mesh->corners.data);
     free(mesh->faces.data);
     *mesh = clean;

@@ -34,6 +34,13 @@ static bool has_several(const struct csg_walk *walk, const struct siblings *sibl
     return num == 2;
 }
 
+static void enter_resize(const struct csg_walk *walk, uint32_t node, struct csg_space *space)
+{
+    for (const struct csg_resized *resized = walk->resized; resized; resized = resized->outer)
+        if (resized->node == node)
+            space->map = csg_map_multiply(&space->map, &resized->map);
+}
+
 /* What a node around the polyhedron does to its points. */
 static bool enter(struct csg_walk *walk, uint32_t node, struct csg_space *space)
 {
@@ -53,11 +60,10 @@ static bool enter(struct csg_walk *walk, uint32_t node, struct csg_space *space)
     return true;
 }
 
-static bool joins_alone(const struct csg_walk *walk, uint32_t node)
+static bool is_resize(const struct csg_walk *walk, uint32_t node)
 {
     const struct csg_node_ops *ops = csg_walk_ops(walk, node);
-    return csg_has_children(&walk->builder->meanings[node]) ||
-           (ops && ops->compound == csg_compound_resize);
+    return ops && ops->compound == csg_compound_resize;
 }
 
 bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_space *to)
@@ -72,7 +78,9 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
             space.map = csg_map_identity;
         if (around == node)
             break;
-        if (!joins_alone(walk, around))
+        if (is_resize(walk, around))
+            enter_resize(walk, around, &space);
+        else if (!csg_has_children(&walk->builder->meanings[around]))
             space.map = csg_map_identity;
         else if (!enter(walk, around, &space))
             return false;

@@ -7,8 +7,8 @@
 
 /*
  * The space in which OpenSCAD cuts the faces of a polyhedron that are not plane: where it first
- * meets another solid, for up to there only its points are mapped. A resize() on the way counts as
- * none. false, with a message, when memory is out.
+ * meets another solid, for up to there only its points are mapped. false, with a message, when
+ * memory is out.
  */
 bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_space *space);
 

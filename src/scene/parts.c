@@ -84,8 +84,8 @@ static bool is_singular(const struct csg_space *space)
     return !space->is_empty && !csg_map_invert(&space->map, &inverse);
 }
 
-/* Into the innermost open node's space. Where that leaves no volume of the part it leaves points, if
- * it is points that matter. */
+/* Into the innermost open node's space. Where that leaves no volume of the part it leaves points,
+ * if it is points that matter. */
 static bool place(struct reader *reader, struct csg_part *part)
 {
     const struct csg_space *space = &top_of(reader)->space;

@@ -80,7 +80,7 @@ bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_
     const struct csg_resize resize = csg_resize_read(args);
     const enum csg_part_wanted wanted =
         walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN ? CSG_WANT_FACETS : CSG_WANT_EXACT;
-    struct csg_map map = csg_map_identity;
+    struct csg_resized resized = {node, csg_map_identity, walk->resized};
     double size[3], factors[3];
     bool is_there = false;
     if (!find_size(walk, node, in_boolean, size, &is_there))
@@ -92,11 +92,15 @@ bool csg_compound_resize(struct csg_walk *walk, uint32_t node, const struct csg_
     else
         csg_resize_factors(resize.newsize, resize.automatic, size, 3, factors);
     for (int i = 0; i < 3; i++)
-        map.m[i][i] = factors[i];
-    if (!csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, wanted, part))
+        resized.map.m[i][i] = factors[i];
+    walk->resized = &resized;
+    const bool ok =
+        csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, wanted, part);
+    walk->resized = resized.outer;
+    if (!ok)
         return false;
     for (size_t i = 0; i < part->shapes.num; i++) {
-        csg_shape_map(&part->shapes.data[i], &map);
+        csg_shape_map(&part->shapes.data[i], &resized.map);
         part->shapes.data[i].rounding *=
             fmax(fabs(factors[0]), fmax(fabs(factors[1]), fabs(factors[2])));
     }

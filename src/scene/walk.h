@@ -6,11 +6,19 @@
 
 #include "scene/build.h"
 
+/* A resize() whose children are being read, and what it does to them. */
+struct csg_resized {
+    uint32_t node;
+    struct csg_map map;
+    const struct csg_resized *outer;
+};
+
 struct csg_walk {
     struct csg_builder *builder;
-    struct csg_arguments arguments; /* of the node at hand */
-    int depth;                      /* of compounds inside of compounds */
-    bool points_only;               /* of what is read only the points matter, as for a hull */
+    struct csg_arguments arguments;    /* of the node at hand */
+    int depth;                         /* of compounds inside of compounds */
+    const struct csg_resized *resized; /* the innermost one; NULL: none */
+    bool points_only;                  /* of what is read only the points matter, as for a hull */
 };
 
 static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk *walk,

@@ -2,7 +2,7 @@
 /*
  * Faces that are not plane: the triangles of a cut must be a triangulation of the face, with angles
  * nearly as Delaunay's, the same whether the face is seen from the front or mirrored from behind,
- * and those that OpenSCAD 2021.01 was seen to make.
+ * and those that OpenSCAD 2021.01 was seen to make, also of faces that cross themselves.
  */
 #include <stdlib.h>
 
@@ -97,6 +97,23 @@ static void check_squares(void)
     check_diagonal(&mirrored, square, false);
 }
 
+/* As OpenSCAD 2021.01 was seen to cut flat faces that cross themselves, by the numbers of their
+ * corners: whether between the second and the fourth. */
+static void check_crossed(void)
+{
+    static const struct {
+        uint32_t numbers[4];
+        bool second;
+    } faces[] = {
+        {{26, 61, 2, 70}, true},   {{46, 17, 67, 70}, true},  {{36, 35, 8, 21}, true},
+        {{23, 11, 46, 59}, true},  {{58, 70, 77, 76}, true},  {{50, 27, 73, 7}, true},
+        {{39, 77, 26, 54}, false}, {{39, 38, 31, 0}, false},  {{14, 9, 40, 3}, false},
+        {{29, 72, 53, 55}, false}, {{74, 44, 27, 35}, false}, {{42, 75, 14, 29}, false},
+    };
+    for (size_t i = 0; i < sizeof faces / sizeof *faces; i++)
+        CHECK((csg_crossed_corner(faces[i].numbers) % 2 == 0) == faces[i].second, "face %zu", i);
+}
+
 int main(void)
 {
     struct csg_cutter cutter = {0};
@@ -108,5 +125,6 @@ int main(void)
           cutter.num_guessed);
     csg_cutter_finish(&cutter);
     check_squares();
+    check_crossed();
     return num_failed > 0;
 }

@@ -26,3 +26,4 @@ translate([0, 14, 0]) rotate([0, 70, 0]) intersection() {
     star();
     mirror([0, 0, 1]) translate([0, 0, -5]) star();
 }
+translate([12, 14, 0]) resize([2, 9, 0], auto = [false, false, true]) rotate([10, 20, 0]) star();
