@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "cells/cells.h"
-#include "cells/side.h"
+#include "csg/side.h"
 
 /* The shader's stack holds a cut of each level at most. */
 #define MAX_DEPTH CSG_WALK_DEPTH

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cells/build.h"
-#include "cells/side.h"
+#include "csg/side.h"
 #include "common/parallel.h"
 #include "csg/carrier.h"
 

@@ -8,6 +8,9 @@ const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
                                           const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
+    if (object->begin < object->end && nodes[object->begin].op != CSG_LEAF &&
+        nodes[object->begin].leaf)
+        return &scene->leaves[nodes[object->begin].leaf - 1];
     for (uint32_t i = object->begin; i < object->end; i++)
         if (nodes[i].op == CSG_LEAF && !nodes[i].negated && !nodes[i].spare)
             return &scene->leaves[nodes[i].leaf];

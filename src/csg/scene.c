@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "crowd/crowd.h"
 #include "csg/carrier.h"
+#include "csg/distribute.h"
 #include "csg/object.h"
 #include "csg/program.h"
 #include "csg/ways.h"
@@ -215,8 +216,10 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     if (!scene->objects || !csg_objects_split(scene, scene->objects))
         return false;
     scene->carriers = csg_carriers_create(scene, before);
+    if (!scene->carriers || !csg_distribute(scene))
+        return false;
     scene->plan = csg_plan_create(scene);
-    scene->sharpness = scene->carriers ? csg_sharpness_create(scene) : NULL;
+    scene->sharpness = csg_sharpness_create(scene);
     if (!scene->sharpness || !scene->plan)
         return false;
     scene->crowd = csg_crowd_create(scene);

@@ -314,6 +314,39 @@ static void check_same(struct bench *bench)
     csgcast_scene_destroy(scene);
 }
 
+/* A wide union and what it is cut by, moved along x by at. */
+static void print_section(char *text, size_t size, double at)
+{
+    size_t num = (size_t)snprintf(text, size, "difference() { union() {\n");
+    for (int i = 0; i < 40; i++)
+        num += (size_t)snprintf(text + num, size - num,
+                                "multmatrix([[1,0,0,%d],[0,1,0,%d],[0,0,1,%d],[0,0,0,1]]) %s\n",
+                                i % 5 * 3, i / 5 % 4 * 3, i / 20 * 3,
+                                i % 3 ? "sphere(2);" : "cube(2);");
+    snprintf(text + num, size - num,
+             "}\nmultmatrix([[1,0,0,%.17g],[0,1,0,-9],[0,0,1,-9],[0,0,0,1]]) cube(40);\n}", at);
+}
+
+/* What a section cuts changes as it is moved, and with it which objects there are. */
+static void check_section(struct bench *bench)
+{
+    char text[8192];
+    print_section(text, sizeof text, 7);
+    struct csgcast_scene *scene = parse(text, true);
+    for (double at = -5; at < 20; at += 2.5) {
+        const double matrix[16] = {1, 0, 0, at, 0, 1, 0, -9, 0, 0, 1, -9, 0, 0, 0, 1};
+        print_section(text, sizeof text, at);
+        struct csgcast_scene *fresh = parse(text, false);
+        CHECK(csgcast_scene_set_matrix(scene, 40, matrix), "%s", last_message);
+        draw(bench->edited, scene, &bench->got);
+        draw(bench->fresh, fresh, &bench->expected);
+        compare_pictures(bench, "section", true);
+        compare_info(scene, fresh, "section");
+        csgcast_scene_destroy(fresh);
+    }
+    csgcast_scene_destroy(scene);
+}
+
 static void expect_error(bool refused, const char *message)
 {
     CHECK(refused && strstr(last_message, message), "expected '%s', got '%s'", message,
@@ -382,6 +415,7 @@ int main(int argc, char **argv)
     check_empty(&bench);
     check_getters(&bench);
     check_same(&bench);
+    check_section(&bench);
     check_errors(&bench);
     csgcast_renderer_destroy(bench.edited);
     csgcast_renderer_destroy(bench.fresh);

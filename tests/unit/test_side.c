@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cells/side.h"
+#include "csg/side.h"
 #include "check.h"
 #include "csg/scene.h"
 

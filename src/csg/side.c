@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cells/side.h"
+#include "csg/side.h"
 
 /* Rounding of the double arithmetic below, relative to its terms. */
 #define NOISE 1e-12

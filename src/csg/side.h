@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_CELLS_SIDE_H
-#define CSG_CELLS_SIDE_H
+#ifndef CSG_CSG_SIDE_H
+#define CSG_CSG_SIDE_H
 
 /* How boxes lie to leaves and to their faces: conservative, in double. */
 
