@@ -30,6 +30,7 @@ struct job {
     uint32_t *places;
     bool *is_box;
     double cost; /* of all parts */
+    int num_threads;
 };
 
 bool csg_cells_can_hold(const struct csgcast_scene *scene, const struct csg_object *object)
@@ -144,7 +145,7 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
         job->top.branches.data[job->top.work.data[i].branch].first = (uint32_t)i;
         job->cost += job->top.work.data[i].cost;
     }
-    csg_parallel(job->top.work.num, build_part, job);
+    csg_parallel(job->num_threads, job->top.work.num, build_part, job);
     cells->nested = job->top.nested;
     bool ok = true;
     for (size_t i = 0; i < job->top.work.num; i++) {
@@ -309,10 +310,10 @@ static void finish_job(struct job *job)
 }
 
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
-                                   const struct csg_object *object)
+                                   const struct csg_object *object, int num_threads)
 {
     struct csg_cells *cells = calloc(1, sizeof *cells);
-    struct job job = {.top = {0}};
+    struct job job = {.num_threads = num_threads};
     if (!cells)
         return NULL;
     const double size = csg_length(csg_sub(object->box.hi, object->box.lo));

@@ -42,10 +42,11 @@ struct csg_cells {
 /* All places in the texture are floats. */
 #define CSG_CELLS_MAX_TEXELS ((size_t)1 << 24)
 
-/* The cells of an object that can be cut so. NULL: out of memory, or they do not fit their texture.
+/* The cells of an object that can be cut so, made by that many threads (csg_parallel). NULL: out of
+ * memory, or they do not fit their texture.
  */
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
-                                   const struct csg_object *object);
+                                   const struct csg_object *object, int num_threads);
 void csg_cells_destroy(struct csg_cells *cells);
 
 /* Whether an object can be cut into cells: bounded, without surfaces of triangles, its leaves of at

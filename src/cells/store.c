@@ -40,14 +40,15 @@ void csg_cells_store_destroy(struct csg_cells_store *store)
     free(store);
 }
 
-const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object)
+const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object,
+                                     int num_threads)
 {
     struct csg_cells_store *store = scene->cells;
     struct entry *entry = &store->entries[object];
     const struct csg_object *of = &scene->objects->data[object];
     pthread_mutex_lock(&store->mutex);
     if (!entry->asked && csg_cells_can_hold(scene, of))
-        entry->cells = csg_cells_create(scene, of);
+        entry->cells = csg_cells_create(scene, of, num_threads);
     entry->asked = true;
     pthread_mutex_unlock(&store->mutex);
     return entry->cells;

@@ -13,6 +13,7 @@ struct csg_cells_store *csg_cells_store_create(const struct csgcast_scene *scene
 void csg_cells_store_destroy(struct csg_cells_store *store);
 
 /* May be called by several threads. NULL: the object has none, for whatever reason. */
-const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object);
+const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object,
+                                     int num_threads);
 
 #endif

@@ -4,6 +4,7 @@
 #include "instrument_options.h"
 #include "values.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define MAX_IMAGE_SIZE 16384 /* pixels; csgcast_view's limit */
@@ -216,6 +217,17 @@ static const char *set_backend(struct csg_cli_options *options, const char *valu
     if (!csg_value_enum(value, names, &backend))
         return "auto, egl, osmesa or reference";
     options->renderer.backend = (enum csgcast_backend)backend;
+    return NULL;
+}
+
+static const char *set_threads(struct csg_cli_options *options, const char *value)
+{
+    int num;
+    if (!csg_value_int(value, &num) || num < 0 || num > 64)
+        return "0 to 64";
+    options->renderer.num_threads = num;
+    if (num > 0)
+        setenv("LP_NUM_THREADS", value, 0); /* for llvmpipe, which is loaded later */
     return NULL;
 }
 
@@ -448,6 +460,10 @@ const struct csg_option csg_option_table[] = {
     {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
+    {"threads", 0, REQUIRED, DRAW, "N",
+     "threads that draw, llvmpipe's too unless LP_NUM_THREADS says how\n"
+     "many; default 0: as many as there are cores. Pictures stay the same",
+     set_threads},
     {"variant", 0, REQUIRED, DRAW, "NAME",
      "force one way to resolve the Boolean; default auto, of render\n"
      "shared: no program is compiled for this scene alone;\n"

@@ -53,10 +53,39 @@ static double tests_per_pixel(const struct csgcast_stats *stats)
 
 /* Toledo and Levy 2004, section 3: the share of the pixels that were drawn and show nothing.
  * What is hidden by something nearer counts as that, too. */
-static double waste(const struct csgcast_stats *stats)
+static double waste(size_t proxy_pixels, size_t hit_pixels)
 {
-    const double drawn = (double)stats->proxy_pixels, shown = (double)stats->hit_pixels;
+    const double drawn = (double)proxy_pixels, shown = (double)hit_pixels;
     return drawn > shown ? (drawn - shown) / drawn : 0;
+}
+
+/* Their Table 1. */
+static void print_waste(FILE *file, const struct csgcast_stats *stats)
+{
+    fprintf(file, "%-18s %.1f %% of the proxy pixels show nothing\n", "waste",
+            100 * waste(stats->proxy_pixels, stats->hit_pixels));
+    for (size_t i = 0; i < stats->num_single_kinds; i++) {
+        const struct csgcast_kind_waste *kind = &stats->single_kinds[i];
+        fprintf(file, "  %-16s %.1f %% of %zu, %zu drawn by themselves\n", kind->name,
+                100 * waste(kind->proxy_pixels, kind->hit_pixels), kind->proxy_pixels, kind->num);
+    }
+}
+
+static void print_waste_json(struct csg_json *json, const struct csgcast_stats *stats)
+{
+    csg_json_number(json, "waste", waste(stats->proxy_pixels, stats->hit_pixels));
+    csg_json_list_open(json, "waste_by_kind");
+    for (size_t i = 0; i < stats->num_single_kinds; i++) {
+        const struct csgcast_kind_waste *kind = &stats->single_kinds[i];
+        csg_json_open(json, NULL);
+        csg_json_string(json, "kind", kind->name);
+        csg_json_size(json, "solids", kind->num);
+        csg_json_size(json, "proxy_pixels", kind->proxy_pixels);
+        csg_json_size(json, "hit_pixels", kind->hit_pixels);
+        csg_json_number(json, "waste", waste(kind->proxy_pixels, kind->hit_pixels));
+        csg_json_close(json);
+    }
+    csg_json_list_close(json);
 }
 
 static bool is_known(const struct csgcast_stats *stats, const struct row *row)
@@ -78,8 +107,7 @@ void csg_cli_print_stats(FILE *file, const char *renderer, const struct csgcast_
     }
     fprintf(file, "%-18s %.3f\n", "tests a pixel", tests_per_pixel(stats));
     if (stats->has_hit_pixels)
-        fprintf(file, "%-18s %.1f %% of the proxy pixels show nothing\n", "waste",
-                100 * waste(stats));
+        print_waste(file, stats);
 }
 
 void csg_cli_print_numerics(FILE *file, const struct csgcast_stats *stats)
@@ -106,5 +134,5 @@ void csg_cli_print_stats_json(struct csg_json *json, const struct csgcast_stats 
     }
     csg_json_number(json, "tests_per_pixel", tests_per_pixel(stats));
     if (stats->has_hit_pixels)
-        csg_json_number(json, "waste", waste(stats));
+        print_waste_json(json, stats);
 }

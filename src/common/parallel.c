@@ -37,11 +37,11 @@ static size_t start(struct job *job, pthread_t *threads, size_t num)
     return started;
 }
 
-void csg_parallel(size_t num, csg_task_fn *task, void *user)
+void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user)
 {
     struct job job = {.task = task, .user = user, .num = num};
     pthread_t threads[MAX_THREADS];
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const long cores = num_threads > 0 ? num_threads : sysconf(_SC_NPROCESSORS_ONLN);
     size_t helpers = cores > 1 ? (size_t)cores - 1 : 0;
     helpers = helpers > MAX_THREADS ? MAX_THREADS : helpers;
     if (num < 2)

@@ -7,10 +7,11 @@
 typedef void csg_task_fn(void *user, size_t task);
 
 /*
- * Runs tasks 0 .. num - 1 on all cores and waits for them. The order is not defined: for equal
+ * Runs tasks 0 .. num - 1 on num_threads threads, the caller's one of them, and waits for them; 0:
+ * as many as there are cores. The order is not defined: for equal
  * results on every machine a task writes only to places that depend on its number alone. Where no
  * thread can be started the caller's does all of the work.
  */
-void csg_parallel(size_t num, csg_task_fn *task, void *user);
+void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user);
 
 #endif

@@ -153,11 +153,11 @@ bool csg_cull_run(struct csg_cull *cull)
     if (!allocate(cull) || !plan_blocks(cull))
         return false;
     cull->all_in_float = are_all_in_float(cull);
-    csg_parallel(cull->blocks.num, look_at_block, cull);
+    csg_parallel(cull->view.frame->num_threads, cull->blocks.num, look_at_block, cull);
     if (!csg_occlusion_draw(cull))
         return false;
     if (cull->has_relief)
-        csg_parallel(cull->blocks.num, hide_block, cull);
+        csg_parallel(cull->view.frame->num_threads, cull->blocks.num, hide_block, cull);
     if (!csg_occlusion_hide_translucent(cull))
         return false;
     demote_translucent(cull);

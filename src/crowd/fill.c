@@ -33,6 +33,12 @@ static size_t texels_of(const struct csg_crowd_class *class)
     return (CSG_ATTRIBUTE_NORMALS + normals + 3) / 4 * 4;
 }
 
+static size_t pixels_of(const struct csg_candidate *candidate)
+{
+    return (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
+           (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
+}
+
 /* ---- one instance ---- */
 
 static void put_rect(const struct filler *filler, const struct csg_candidate *candidate, float *out)
@@ -80,8 +86,7 @@ static void fill_block(void *user, size_t task)
             memset(out, 0, stride_of(class) * sizeof *out); /* a rectangle without pixels */
             filler->cull.demoted[candidate->member] = 1;
         } else {
-            filler->pixels[task] += (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
-                                    (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
+            filler->pixels[task] += pixels_of(candidate);
         }
         out += stride_of(class);
         place += texels_of(class);
@@ -173,6 +178,22 @@ static bool list_objects(const struct filler *filler)
     return true;
 }
 
+/* Those that are no longer members are counted where they are drawn. */
+static void count_singles(struct filler *filler)
+{
+    const struct csg_cull *cull = &filler->cull;
+    struct csg_singles *singles = &filler->frame->singles;
+    for (size_t i = 0; i < cull->blocks.num && singles->is_wanted; i++) {
+        const struct csg_crowd_block *block = &cull->blocks.data[i];
+        for (size_t j = block->begin; j < block->begin + block->num; j++) {
+            const struct csg_candidate *candidate = &cull->candidates[j];
+            if (!cull->demoted[candidate->member])
+                csg_singles_note(singles, filler->scene,
+                                 cull->view.crowd->leaf[candidate->member], pixels_of(candidate));
+        }
+    }
+}
+
 static bool fill(struct filler *filler)
 {
     const size_t num = filler->cull.blocks.num;
@@ -183,13 +204,16 @@ static bool fill(struct filler *filler)
     filler->pixels = filler->texels + num;
     if (!plan(filler))
         return false;
-    csg_parallel(num, fill_block, filler);
+    csg_parallel(filler->frame->num_threads, num, fill_block, filler);
     for (size_t i = 0; i < num; i++) {
         filler->frame->proxy_pixels += filler->pixels[i];
         filler->frame->solid_tests += filler->pixels[i]; /* each has one solid */
     }
     filler->frame->crowd.together = filler->cull.together;
-    return demote_kin(filler) && list_objects(filler);
+    if (!demote_kin(filler))
+        return false;
+    count_singles(filler);
+    return list_objects(filler);
 }
 
 bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,

@@ -131,7 +131,7 @@ bool csg_occlusion_draw(struct csg_cull *cull)
         ok = note_drawn(cull) && csg_relief_init(&cull->relief, screen_of(cull),
                                                  cull->view.frame->at, CSG_CAST_FRONT, NULL);
         if (ok)
-            csg_parallel(CSG_NUM_BANDS, draw_band, &drawing);
+            csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, &drawing);
     }
     csg_occluders_finish(&drawing.occluders);
     return ok;
@@ -212,8 +212,8 @@ static bool hide_translucent(struct drawing *drawing)
             return false;
     if (!note_drawn(cull))
         return false;
-    csg_parallel(CSG_NUM_BANDS, draw_band, drawing);
-    csg_parallel(cull->blocks.num, hide_translucent_block, drawing);
+    csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, drawing);
+    csg_parallel(cull->view.frame->num_threads, cull->blocks.num, hide_translucent_block, drawing);
     return true;
 }
 

@@ -138,7 +138,12 @@ static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct
         if (!csg_terms_add_record(&packer->terms, &plan->program.data[i], NULL))
             return false;
     draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
+    const size_t before = frame->proxy_pixels;
     csg_frame_count(frame, rect, packer->terms.leaves.num);
+    if (draw->single)
+        csg_singles_note(&frame->singles, packer->scene,
+                         plan->program.data[plan->begin[draw->object]].leaf,
+                         frame->proxy_pixels - before);
     return csg_array_push(&frame->draws, *draw);
 }
 
@@ -196,7 +201,7 @@ static bool choose_cells(const struct packer *packer, const struct csg_object *o
         if (tests < MAX_TESTS)
             return true;
     }
-    *cells = csg_cells_of(packer->scene, draw->object);
+    *cells = csg_cells_of(packer->scene, draw->object, packer->params->num_threads);
     if (*cells && !csg_walk_has_room(packer->frame, *cells))
         *cells = NULL;
     return true;
@@ -362,6 +367,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
         frame->at = (struct csg_pixel){0.5 * params->width, 0.5 * params->height};
     }
     csg_screen_set_near(&frame->screen, csg_eye_near(scene, frame->screen.origin));
+    frame->num_threads = params->num_threads;
     frame->texels.num = 0;
     frame->draws.num = 0;
     frame->cells.num = 0;
@@ -369,6 +375,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
     frame->tile_ms = 0;
     bool ok = csg_terms_init(&packer.terms, frame, scene, params) &&
+              csg_singles_start(&frame->singles, scene, params->leaves) &&
               list_objects(frame, scene, params) && csg_frame_judge(frame, scene, params, &focus);
     for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = add_layer(&packer, layer);
@@ -411,5 +418,6 @@ void csg_frame_finish(struct csg_frame *frame)
     free(frame->crowd.instances.data);
     free(frame->crowd.runs.data);
     free(frame->listed.data);
+    csg_singles_finish(&frame->singles);
     *frame = (struct csg_frame){0};
 }

@@ -13,6 +13,7 @@
 #include "look/colorscheme.h"
 #include "pack/precision.h"
 #include "pack/screen.h"
+#include "pack/singles.h"
 
 struct csg_cells;
 
@@ -43,6 +44,7 @@ struct csg_draw {
 struct csg_frame {
     struct csg_screen screen;
     struct csg_pixel at;     /* the reference pixel of all objects */
+    int num_threads;         /* that fill it; 0: as many as there are cores */
     CSG_ARRAY(float) texels; /* four floats each */
     CSG_ARRAY(struct csg_draw) draws;
     CSG_ARRAY(struct csg_frame_cells {
@@ -57,6 +59,7 @@ struct csg_frame {
     double tile_ms;
     CSG_ARRAY(uint32_t) listed; /* objects drawn one by one, in file order: all but the crowd's */
     struct csg_frame_crowd crowd;
+    struct csg_singles singles; /* counted where leaves are wanted */
 };
 
 /* Objects drawn in cells: none, those that tiles make too little of, all that can be. */
@@ -65,6 +68,7 @@ enum csg_cells_use { CSG_CELLS_NEVER, CSG_CELLS_WHERE_BETTER, CSG_CELLS_ALWAYS }
 struct csg_frame_params {
     const struct csgcast_frustum *frustum;
     int width, height;
+    int num_threads; /* see csg_parallel */
     const struct csg_colorscheme *scheme;
     enum csgcast_cut_color cut_color;
     /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */

@@ -42,6 +42,7 @@ struct csg_reference_params {
     int width, height;
     const struct csg_colorscheme *scheme;
     enum csgcast_cut_color cut_color;
+    int num_threads; /* see csg_parallel */
 };
 
 /* The ray of a pixel; row 0 is on top. */
@@ -54,7 +55,7 @@ struct csg_reference_part {
     const void *user;
 };
 
-/* Fills these pixels of image on all cores. false: out of memory. */
+/* Fills these pixels of image. false: out of memory. */
 bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
                           const struct csg_reference_part *part, const struct csgcast_image *image);

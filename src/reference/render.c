@@ -149,6 +149,6 @@ bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_part *part, const struct csgcast_image *image)
 {
     struct job job = {scene, params, part, image, near_of(scene, params), false};
-    csg_parallel((size_t)part->num_rows, cast_row, &job);
+    csg_parallel(params->num_threads, (size_t)part->num_rows, cast_row, &job);
     return !atomic_load(&job.failed);
 }

@@ -459,6 +459,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .frustum = &request->frustum,
         .width = request->width,
         .height = request->height,
+        .num_threads = renderer->num_threads,
         .scheme = request->scheme,
         .cut_color = request->view->cut_color,
         .whole = csg_draws_whole,

@@ -40,6 +40,7 @@ struct csgcast_renderer *csgcast_renderer_create(const struct csgcast_renderer_p
         return NULL;
     }
     renderer->log = log;
+    renderer->num_threads = params->num_threads;
     const char *tile_size = getenv("CSGCAST_TILE_SIZE");
     renderer->tile_size = tile_size ? (int)strtol(tile_size, NULL, 10) : 0;
     if (renderer->tile_size < 0)
@@ -151,6 +152,9 @@ static void count_hits(struct csgcast_renderer *renderer, const struct csg_reque
     const struct csgcast_image *image = request->image;
     renderer->stats.hit_pixels = 0;
     renderer->stats.has_hit_pixels = image->id || image->z;
+    if (image->id)
+        csg_singles_count(&renderer->frame.singles, request->scene, image->id, num,
+                          &renderer->stats);
     if (!renderer->stats.has_hit_pixels)
         return;
     for (size_t i = 0; i < num; i++)
@@ -190,7 +194,8 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
         return false;
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
     const struct csg_reference_params params = {
-        &request.frustum, request.width, request.height, request.scheme, request.view->cut_color};
+        &request.frustum, request.width, request.height, request.scheme,
+        request.view->cut_color, renderer->num_threads};
     const struct csg_reference_part whole = {.num_rows = request.height};
     const bool ok = renderer->gl ? render_with_gl(renderer, &request)
                                  : csg_reference_render(scene, &params, &whole, image) ||

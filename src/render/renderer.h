@@ -34,6 +34,7 @@ struct csgcast_renderer {
     GLuint data_texture;
     struct csg_buffer data_buffer; /* its texels */
     struct csg_resident_cells cells;
+    int num_threads; /* see csg_parallel */
     int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     GLuint vertex_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;

@@ -26,7 +26,8 @@ bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_req
                          const uint32_t *visible, int first_row, int num_rows)
 {
     const struct csg_reference_params params = {&request->frustum, request->width, request->height,
-                                                request->scheme, request->view->cut_color};
+                                                request->scheme, request->view->cut_color,
+                                                renderer->num_threads};
     const struct band band = {visible, request->image->rgba8, request->width,
                               request->height - first_row - num_rows, num_rows};
     const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band};

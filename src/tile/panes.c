@@ -75,7 +75,7 @@ static void cut_panes(const struct csg_tile_area *area, int across, int down, st
 
 static bool tile_panes(struct csg_terms *terms, struct job *job)
 {
-    csg_parallel(job->num, tile_pane, job);
+    csg_parallel(job->terms->frame->num_threads, job->num, tile_pane, job);
     bool ok = true;
     for (size_t i = 0; i < job->num; i++) {
         ok = ok && job->panes[i].ok && csg_frame_append(terms->frame, &job->panes[i].frame);
@@ -149,7 +149,7 @@ static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row,
     bool ok = true;
     for (size_t i = 0; i < SAMPLES; i++)
         job->panes[i] = (struct pane){.area = sample_area(rect, i, row)};
-    csg_parallel(job->num, tile_pane, job);
+    csg_parallel(job->terms->frame->num_threads, job->num, tile_pane, job);
     for (size_t i = 0; i < SAMPLES; i++) {
         ok &= job->panes[i].ok;
         *tests += (double)job->panes[i].frame.solid_tests;

@@ -107,7 +107,7 @@ bool csg_tile_queue_run(struct csg_tile_queue *queue, struct csg_frame *frame)
 {
     if (queue->items.num == 0)
         return true;
-    csg_parallel((queue->items.num + CHUNK - 1) / CHUNK, tile_chunk, queue);
+    csg_parallel(frame->num_threads, (queue->items.num + CHUNK - 1) / CHUNK, tile_chunk, queue);
     const bool ok = splice(queue, frame);
     drop(queue);
     return ok;

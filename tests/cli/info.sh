@@ -42,6 +42,22 @@ prints "tiles, mixed       0"
 echo "sphere(10);" >ball.csg
 expect 0 "waste" info ball.csg --stats
 prints "waste              21."
+prints "  sphere           21."
+cat >kinds.csg <<EOF
+sphere(5); translate([20, 0, 0]) cube(8); translate([40, 0, 0]) cylinder(h = 9, r = 3);
+translate([60, 0, 0]) difference() { cube(8); sphere(3); }
+EOF
+expect 0 "waste by kind" info kinds.csg --stats
+for kind in sphere cube cylinder; do
+    grep -q "^  $kind  .* % of [1-9][0-9]*, 1 drawn by themselves" out
+    report $? "waste of each $kind"
+done
+expect 0 "one thread" render kinds.csg --threads=1 --imgsize=99,99 -o one.png
+expect 0 "three threads" render kinds.csg --threads=3 --imgsize=99,99 -o three.png
+cmp -s one.png three.png
+report $? "the picture does not depend on the threads"
+expect 2 "threads" render kinds.csg --threads=many -o one.png
+says "0 to 64"
 expect 0 "what is not counted" render ball.csg --stats -o ball.png
 says "hit pixels         not counted"
 if command -v node >/dev/null; then
@@ -49,7 +65,7 @@ if command -v node >/dev/null; then
     node -e '
         const report = JSON.parse(require("fs").readFileSync("out", "utf8"));
         process.exit(report.tests_per_pixel === 3 && report.hit_pixels > 1000 && report.draw_ms > 0 &&
-                     report.overflowed_objects === 0 ? 0 : 1);'
+                     report.overflowed_objects === 0 && Array.isArray(report.waste_by_kind) ? 0 : 1);'
     report $? "the cost as JSON"
 fi
 

@@ -340,6 +340,10 @@ struct csgcast_renderer_params {
      * who has a scene to load (some 60 ms on llvmpipe). The first csgcast_render waits for it, and
      * fails where the backend is not available; messages come from its thread. */
     bool background;
+    /* Threads that prepare a picture, or cast it where OpenGL does not, csgcast_render's caller one
+     * of them, 1 to 64; 0, and anything else: as many as there are cores. Pictures do not depend on
+     * it. The driver's own threads are its own affair: llvmpipe's are set by LP_NUM_THREADS. */
+    int num_threads;
 };
 
 struct csgcast_renderer;
@@ -372,6 +376,18 @@ CSGCAST_API bool csgcast_render(struct csgcast_renderer *renderer,
                                 const struct csgcast_view *view,
                                 const struct csgcast_image *image);
 
+/* Solids of one kind that are drawn by themselves, by programs for a single solid (Toledo and Levy
+ * 2004, Table 1): how much of their rectangles shows them. */
+struct csgcast_kind_waste {
+    const char *name;    /* as in csgcast_kind_count */
+    size_t num;          /* solids drawn so */
+    size_t proxy_pixels; /* of their rectangles */
+    size_t hit_pixels;   /* of these the ones that show one of them */
+};
+
+/* More kinds of solid than there are. */
+#define CSGCAST_MAX_KINDS 32
+
 /* What the last csgcast_render of this renderer did. */
 struct csgcast_stats {
     char variants[256];      /* resolvers used, with the number of objects each drew */
@@ -401,6 +417,9 @@ struct csgcast_stats {
     double load_ms, csg_ms;
     double tile_ms, pack_ms, upload_ms, draw_ms, read_ms;
     bool has_hit_pixels; /* z or id was asked for, which hit_pixels is counted from */
+    /* Where id was asked for, but not of the reference backend; else none. */
+    struct csgcast_kind_waste single_kinds[CSGCAST_MAX_KINDS];
+    size_t num_single_kinds;
 };
 
 CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
