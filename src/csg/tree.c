@@ -106,8 +106,9 @@ bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known)
         folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], known)
                                                 : fold_node(tree, folds, (uint32_t)i);
     struct emitter out = {0};
-    const bool ok = folds[0].constant == CSG_VARIES ? emit_all(&out, tree, folds)
-                                                : emit_constant(&out, folds[0].constant);
+    const bool ok = csg_array_reserve(&out.tree, tree->num) &&
+                    (folds[0].constant == CSG_VARIES ? emit_all(&out, tree, folds)
+                                                     : emit_constant(&out, folds[0].constant));
     free(folds);
     free(out.open.data);
     if (!ok) {

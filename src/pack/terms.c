@@ -185,6 +185,18 @@ static bool add_view(struct csg_terms *terms, const struct csg_node *node,
     return true;
 }
 
+/* Of fewer leaves tiles are as soon made without. */
+#define MIN_RECT_NODES 24
+
+static struct csg_rect leaf_rect(const struct csg_terms *terms, const struct csg_object *object,
+                                 const struct csg_shape *shape)
+{
+    const struct csg_screen *screen = &terms->frame->screen;
+    if (object->end - object->begin < MIN_RECT_NODES || shape->surface)
+        return (struct csg_rect){{0, 0}, {screen->width, screen->height}};
+    return csg_screen_rect(screen, &shape->frame, &shape->bounds);
+}
+
 static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_node *node, const struct csg_rect *rect)
 {
@@ -210,6 +222,7 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
     leaf.num_entries = num_planes;
     leaf.flags = csg_node_flags(terms->scene, node);
+    leaf.rect = leaf_rect(terms, object, shape);
     if (shape->surface && !add_view(terms, node, &leaf))
         return false;
     if (node->spare)

@@ -13,6 +13,7 @@ struct csg_leaf_terms {
     uint32_t flags;    /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC, _GAP of the leaf */
     uint32_t view;     /* of a surface: in csg_terms.views */
     size_t attributes; /* attribute block / 4, in the frame's texels */
+    struct csg_rect rect; /* in pixels: no ray outside of it meets the leaf */
 };
 
 struct csg_terms {

@@ -22,12 +22,12 @@ struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile
 static struct csg_range parabola(struct csg_range u, double slope, double curve)
 {
     const double a = u.lo * (slope + curve * u.lo), b = u.hi * (slope + curve * u.hi);
-    struct csg_range range = {fmin(a, b), fmax(a, b)};
+    struct csg_range range = {csg_smaller(a, b), csg_larger(a, b)};
     const double top = curve != 0 ? -0.5 * slope / curve : u.lo;
     if (top > u.lo && top < u.hi) {
         const double extreme = top * (slope + curve * top);
-        range.lo = fmin(range.lo, extreme);
-        range.hi = fmax(range.hi, extreme);
+        range.lo = csg_smaller(range.lo, extreme);
+        range.hi = csg_larger(range.hi, extreme);
     }
     return range;
 }
@@ -44,7 +44,7 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     const struct csg_range yy = parabola(y, t[10], t[11]);
     const double c0 = t[7];
     const double margin =
-        FLOAT_MARGIN * (fabs(c0) + fmax(fabs(xx.lo), fabs(xx.hi)) + fmax(fabs(yy.lo), fabs(yy.hi)));
+        FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) + csg_larger(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 
@@ -58,7 +58,7 @@ static struct quadric_range quadric_range(const double *texels, const struct csg
 {
     const int code = (int)texels[3];
     const struct csg_range h = conic(texels, code, tile);
-    const double most = sqrt(fmax(h.hi, 0)), least = sqrt(fmax(h.lo, 0));
+    const double most = sqrt(csg_larger(h.hi, 0)), least = sqrt(csg_larger(h.lo, 0));
     struct quadric_range range = {.never = h.hi<0, .always = h.lo> 0, .region = code & 3};
     if (code & CSG_QUADRIC_STIFF) {
         range.first = range.second = (struct csg_range){-(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
@@ -74,14 +74,14 @@ static struct quadric_range quadric_range(const double *texels, const struct csg
 
 static void later(struct csg_range *a, struct csg_range b)
 {
-    a->lo = fmax(a->lo, b.lo);
-    a->hi = fmax(a->hi, b.hi);
+    a->lo = csg_larger(a->lo, b.lo);
+    a->hi = csg_larger(a->hi, b.hi);
 }
 
 static void sooner(struct csg_range *a, struct csg_range b)
 {
-    a->lo = fmin(a->lo, b.lo);
-    a->hi = fmin(a->hi, b.hi);
+    a->lo = csg_smaller(a->lo, b.lo);
+    a->hi = csg_smaller(a->hi, b.hi);
 }
 
 /* Narrows the leaf by its quadric; false where no ray of the tile is inside. */

@@ -20,6 +20,17 @@ struct csg_leaf_range {
         solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
 
+/* fmax and fmin but for what is no number: without a call, which tiles would make by the million. */
+static inline double csg_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double csg_smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile);
 
 /*

@@ -64,10 +64,27 @@ static struct csg_range node_range(const struct tiler *tiler, const struct csg_t
     struct csg_range range = {all ? -INFINITY : INFINITY, all ? INFINITY : -INFINITY};
     for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
         const struct csg_range operand = tiler->nodes.data[child];
-        range.lo = all ? fmax(range.lo, operand.lo) : fmin(range.lo, operand.lo);
-        range.hi = all ? fmin(range.hi, operand.hi) : fmax(range.hi, operand.hi);
+        range.lo = all ? csg_larger(range.lo, operand.lo) : csg_smaller(range.lo, operand.lo);
+        range.hi = all ? csg_smaller(range.hi, operand.hi) : csg_larger(range.hi, operand.hi);
     }
     return range;
+}
+
+static bool is_in_rect(const struct csg_rect *rect, const struct task *task)
+{
+    return rect->lo[0] < task->hi[0] && rect->hi[0] > task->lo[0] && rect->lo[1] < task->hi[1] &&
+           rect->hi[1] > task->lo[1];
+}
+
+/* Rays that start inside of solids meet them behind the eye, too. */
+static struct csg_leaf_range leaf_range(const struct tiler *tiler, const struct task *task,
+                                        const struct csg_tile_box *box, uint32_t leaf)
+{
+    const struct csg_leaf_range nowhere = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, false};
+    const struct csg_leaf_terms *terms = csg_terms_of(tiler->terms, leaf);
+    if (!tiler->draw->around_eye && !is_in_rect(&terms->rect, task))
+        return nowhere;
+    return csg_range_of_leaf(tiler->terms, terms, box, NULL, NULL);
 }
 
 static void fill_ranges(struct tiler *tiler, const struct task *task)
@@ -79,8 +96,7 @@ static void fill_ranges(struct tiler *tiler, const struct task *task)
             tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
             continue;
         }
-        const struct csg_leaf_range leaf = csg_range_of_leaf(
-            tiler->terms, csg_terms_of(tiler->terms, node->leaf), &box, NULL, NULL);
+        const struct csg_leaf_range leaf = leaf_range(tiler, task, &box, node->leaf);
         tiler->leaves.data[i] = leaf;
         tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
                                              : (struct csg_range){leaf.entry.lo, leaf.exit.hi};
@@ -125,21 +141,45 @@ static uint8_t node_value(const struct tiler *tiler, const struct csg_tree *tree
     return value;
 }
 
-static bool has_begun(struct tiler *tiler, const struct csg_tree *tree, double key)
+static bool is_everything(struct tiler *tiler, const struct csg_tree *tree, uint32_t begin,
+                          double key)
 {
-    for (size_t i = tree->num; i-- > 0;) {
+    for (uint32_t i = tree->data[begin].end; i-- > begin;) {
         const struct csg_node *node = &tree->data[i];
         tiler->values.data[i] = node->op == CSG_LEAF
                                     ? leaf_value(&tiler->leaves.data[i], node->negated, key)
-                                    : node_value(tiler, tree, (uint32_t)i);
+                                    : node_value(tiler, tree, i);
     }
-    return tiler->values.data[0] == CSG_EVERYTHING;
+    return tiler->values.data[begin] == CSG_EVERYTHING;
 }
 
-static int compare_keys(const void *a, const void *b)
+/* doubt: an operand of the outermost intersection that was not everything at another key, and is
+ * asked first. */
+static bool has_begun(struct tiler *tiler, const struct csg_tree *tree, double key, uint32_t *doubt)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
+    if (tree->data[0].op != CSG_AND)
+        return is_everything(tiler, tree, 0, key);
+    if (*doubt > 0 && !is_everything(tiler, tree, *doubt, key))
+        return false;
+    for (uint32_t child = 1; child < tree->num; child = tree->data[child].end)
+        if (!is_everything(tiler, tree, child, key)) {
+            *doubt = child;
+            return false;
+        }
+    return true;
+}
+
+/* Keeps the smallest keys, in their order. */
+static void add_candidate(struct tiler *tiler, double key)
+{
+    double *keys = tiler->candidates.data;
+    size_t i = tiler->candidates.num;
+    if (i == MAX_CANDIDATES && !(key < keys[i - 1]))
+        return;
+    i = i < MAX_CANDIDATES ? tiler->candidates.num++ : i - 1;
+    for (; i > 0 && key < keys[i - 1]; i--)
+        keys[i] = keys[i - 1];
+    keys[i] = key;
 }
 
 /*
@@ -151,22 +191,21 @@ static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
     const double far = tiler->terms->frame->screen.k_far;
     tiler->opaque = false;
     tiler->candidates.num = tiler->values.num = 0;
-    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, tree->num) ||
+    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, MAX_CANDIDATES) ||
         !csg_array_reserve(&tiler->values, tree->num))
         return far;
     for (size_t i = 0; i < tree->num; i++) {
         const struct csg_leaf_range *leaf = &tiler->leaves.data[i];
-        if (tree->data[i].op != CSG_LEAF)
+        if (tree->data[i].op != CSG_LEAF || leaf->entry.lo > leaf->exit.hi)
             continue;
         const double key = tree->data[i].negated ? leaf->exit.hi : leaf->entry.hi;
         if (tree->data[i].negated || leaf->solid)
-            tiler->candidates.data[tiler->candidates.num++] = key + 1e-9 * (1 + fabs(key));
+            add_candidate(tiler, key + 1e-9 * (1 + fabs(key)));
     }
-    double *keys = tiler->candidates.data;
-    if (tiler->candidates.num > 1)
-        qsort(keys, tiler->candidates.num, sizeof *keys, compare_keys);
-    for (size_t i = 0; i < tiler->candidates.num && i < MAX_CANDIDATES && keys[i] < far; i++)
-        if (has_begun(tiler, tree, keys[i])) {
+    const double *keys = tiler->candidates.data;
+    uint32_t doubt = 0;
+    for (size_t i = 0; i < tiler->candidates.num && keys[i] < far; i++)
+        if (has_begun(tiler, tree, keys[i], &doubt)) {
             tiler->opaque = true;
             return keys[i];
         }
@@ -185,8 +224,8 @@ static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
         }
         struct csg_range inside = contexts[i];
         if (node->op == CSG_AND) {
-            inside.lo = fmax(inside.lo, tiler->nodes.data[i].lo);
-            inside.hi = fmin(inside.hi, tiler->nodes.data[i].hi);
+            inside.lo = csg_larger(inside.lo, tiler->nodes.data[i].lo);
+            inside.hi = csg_smaller(inside.hi, tiler->nodes.data[i].hi);
         }
         for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
             contexts[child] = inside;
