@@ -9,11 +9,11 @@ void main()
     ivec2 place;
     bool inside;
     vec2 d = csg_pixel();
+    bool shows = csg_resolve(csg_object, d, k, place, inside);
 #ifdef CSG_SHARED
-    if (csg_is_no_number(vec4(csg_object, 0.0)))
-        discard;
+    shows = shows && !csg_is_no_number(vec4(csg_object, 0.0));
 #endif
-    if (!csg_resolve(csg_object, d, k, place, inside))
+    if (!shows)
         discard;
 #ifdef CSG_CAN_GIVE_UP
     if (csg_has_given_up(csg_object.z)) {
