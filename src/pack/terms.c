@@ -222,6 +222,7 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
     leaf.num_entries = num_planes;
     leaf.flags = csg_node_flags(terms->scene, node);
+    leaf.carrier = carriers->quadric_faces[node->leaf].carrier;
     leaf.rect = leaf_rect(terms, object, shape);
     if (shape->surface && !add_view(terms, node, &leaf))
         return false;

@@ -50,7 +50,7 @@ static bool same_quadric(const struct pair *pair)
     const struct csg_leaf_terms *outer = pair->outer, *inner = pair->inner;
     if (!(outer->flags & CSG_RECORD_QUADRIC))
         return true;
-    return inner->flags & CSG_RECORD_QUADRIC &&
+    return inner->flags & CSG_RECORD_QUADRIC && outer->carrier == inner->carrier &&
            memcmp(csg_terms_texel(pair->terms, outer, outer->num_entries + outer->num_exits),
                   csg_terms_texel(pair->terms, inner, inner->num_entries + inner->num_exits),
                   4 * CSG_QUADRIC_TEXELS * sizeof(double)) == 0;
@@ -91,24 +91,25 @@ static bool is_member(const struct csg_terms *terms, const struct csg_tree *tree
            terms->known[node->leaf] == CSG_VARIES;
 }
 
-/* The member that begins first, or last, of those that are behind `than` in that order. */
-static uint32_t next_dominator(const struct csg_terms *terms, const struct csg_tree *tree,
-                               const struct csg_leaf_range *leaves, const struct group *group,
-                               uint32_t than)
+/* Of a group's members those that begin first, or last, in this order. */
+struct dominators {
+    uint32_t nodes[MAX_DOMINATORS];
+    double keys[MAX_DOMINATORS];
+    size_t num;
+};
+
+static void add_dominator(struct dominators *found, uint32_t node, double key)
 {
-    const uint32_t end = tree->data[group->node].end;
-    const double sign = group->largest ? 1 : -1;
-    uint32_t best = end;
-    for (uint32_t i = group->node + 1; i < end; i = tree->data[i].end) {
-        if (!is_member(terms, tree, i, group))
-            continue;
-        const double key = sign * leaves[i].entry.lo;
-        const double last = than < end ? sign * leaves[than].entry.lo : -INFINITY;
-        const bool is_next = than == end || key > last || (key == last && i > than);
-        if (is_next && (best == end || key < sign * leaves[best].entry.lo))
-            best = i;
+    size_t i = found->num;
+    if (i == MAX_DOMINATORS && key >= found->keys[i - 1])
+        return;
+    i = i < MAX_DOMINATORS ? found->num++ : i - 1;
+    for (; i > 0 && key < found->keys[i - 1]; i--) {
+        found->nodes[i] = found->nodes[i - 1];
+        found->keys[i] = found->keys[i - 1];
     }
-    return best;
+    found->nodes[i] = node;
+    found->keys[i] = key;
 }
 
 static void dominate_by(const struct csg_terms *terms, const struct csg_tree *tree,
@@ -133,14 +134,13 @@ static void dominate_group(const struct csg_terms *terms, const struct csg_tree 
                            const struct csg_leaf_range *leaves, const struct csg_tile_box *tile,
                            const struct group *group)
 {
-    const uint32_t end = tree->data[group->node].end;
-    uint32_t dominator = end;
-    for (int i = 0; i < MAX_DOMINATORS; i++) {
-        dominator = next_dominator(terms, tree, leaves, group, dominator);
-        if (dominator == end)
-            return;
-        dominate_by(terms, tree, tile, group, dominator);
-    }
+    struct dominators found = {.num = 0};
+    for (uint32_t i = group->node + 1; i < tree->data[group->node].end; i = tree->data[i].end)
+        if (is_member(terms, tree, i, group))
+            add_dominator(&found, i, (group->largest ? 1 : -1) * leaves[i].entry.lo);
+    for (size_t i = 0; i < found.num; i++)
+        if (is_member(terms, tree, found.nodes[i], group))
+            dominate_by(terms, tree, tile, group, found.nodes[i]);
 }
 
 void csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
