@@ -106,6 +106,28 @@ static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
         csg_source_geometry(resolver, features, structure, chooser->max_handed));
 }
 
+/* What a program is noted under that needs no structure: a chain is a resolver of its own. */
+static uint32_t name_of(const struct chooser *chooser, enum csg_resolver resolver, int chain,
+                        int features)
+{
+    const int all = features | frame_features(chooser) |
+                    (chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0);
+    return (uint32_t)all << 16 | (uint32_t)(chain + 1) << 8 | ((uint32_t)resolver + 1);
+}
+
+/* The program of a resolver that needs no structure. */
+static GLuint compile_shared(struct chooser *chooser, enum csg_resolver resolver, int features)
+{
+    struct csg_programs *programs = &chooser->renderer->programs;
+    const uint32_t name = name_of(chooser, resolver, -1, features);
+    const GLuint noted = csg_programs_noted(programs, name);
+    if (noted)
+        return noted;
+    const GLuint program = compile(chooser, resolver, NULL, features);
+    csg_programs_note(programs, program, name);
+    return program;
+}
+
 static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure,
                               bool stiff, int features)
 {
@@ -182,7 +204,7 @@ static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver,
                                                            : chooser->loops;
     *chosen = resolver;
     if (!shared[features])
-        shared[features] = compile(chooser, resolver, NULL, features);
+        shared[features] = compile_shared(chooser, resolver, features);
     return shared[features];
 }
 
@@ -195,7 +217,7 @@ static GLuint choose_cpu(struct chooser *chooser, enum csg_resolver *resolver)
 {
     *resolver = CSG_RESOLVER_CPU;
     if (!chooser->cpu)
-        chooser->cpu = compile(chooser, CSG_RESOLVER_CPU, NULL, 0);
+        chooser->cpu = compile_shared(chooser, CSG_RESOLVER_CPU, 0);
     return chooser->cpu;
 }
 
@@ -225,13 +247,23 @@ static int find_chain(const struct chooser *chooser, const struct csg_draw *draw
     return size <= chooser->max_handed ? chain : -1;
 }
 
+static GLuint compile_chain(struct chooser *chooser, int chain)
+{
+    struct csg_programs *programs = &chooser->renderer->programs;
+    const uint32_t name = name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0);
+    const GLuint noted = csg_programs_noted(programs, name);
+    if (noted)
+        return noted;
+    const GLuint program = csg_programs_get(
+        programs, csg_source_geometry_chain(&csg_chains[chain], frame_features(chooser)));
+    csg_programs_note(programs, program, name);
+    return program;
+}
+
 static GLuint choose_chain(struct chooser *chooser, int chain)
 {
     if (!chooser->chains[chain])
-        chooser->chains[chain] =
-            csg_programs_get(&chooser->renderer->programs,
-                             csg_source_geometry_chain(&csg_chains[chain],
-                                                       frame_features(chooser)));
+        chooser->chains[chain] = compile_chain(chooser, chain);
     return chooser->chains[chain];
 }
 

@@ -102,6 +102,20 @@ struct csg_compiled *csg_programs_find(struct csg_programs *programs, GLuint id)
     return &programs->compiled.data[i];
 }
 
+GLuint csg_programs_noted(const struct csg_programs *programs, uint32_t name)
+{
+    for (size_t i = 0; i < programs->compiled.num; i++)
+        if (programs->compiled.data[i].name == name)
+            return programs->compiled.data[i].id;
+    return 0;
+}
+
+void csg_programs_note(struct csg_programs *programs, GLuint id, uint32_t name)
+{
+    if (id)
+        csg_programs_find(programs, id)->name = name;
+}
+
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
 {
     if (!stages.vertex || !stages.fragment) {

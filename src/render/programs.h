@@ -16,6 +16,7 @@ struct csg_compiled {
     GLuint id;
     struct csg_uniforms uniforms;
     uint64_t round; /* in which its uniforms were set */
+    uint32_t name;  /* of csg_programs_note; 0: none */
     struct csg_stages stages; /* the key */
 };
 
@@ -28,6 +29,12 @@ struct csg_programs {
 
 /* The program of these stages, which it takes ownership of. 0, with a message, on failure. */
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages);
+
+/* A program that has been noted under that name, whose text need not be made again; 0: none. */
+GLuint csg_programs_noted(const struct csg_programs *programs, uint32_t name);
+
+/* Notes a program. name: not 0, and the same for the same text only. */
+void csg_programs_note(struct csg_programs *programs, GLuint id, uint32_t name);
 
 /* The record of one of its programs, until the next one is compiled. */
 struct csg_compiled *csg_programs_find(struct csg_programs *programs, GLuint id);

@@ -44,11 +44,24 @@ void csg_text_end_search(struct csg_text *text)
                        "    if (k >= csg_screen_key.z)\n        return false;\n");
 }
 
+/* As csg_text_add of a string, which would look for its end thrice. */
+static void add_string(struct csg_text *text, const char *string)
+{
+    const size_t length = strlen(string);
+    text->failed |= !csg_array_reserve(text, length + 1);
+    if (text->failed)
+        return;
+    memcpy(text->data + text->num, string, length + 1);
+    text->num += length;
+}
+
 static void add_file(struct csg_text *text, const char *name)
 {
     for (size_t i = 0; i < csg_num_shader_files; i++)
-        if (strcmp(csg_shader_files[i].name, name) == 0)
-            csg_text_add(text, "#line 1\n%s", csg_shader_files[i].text);
+        if (strcmp(csg_shader_files[i].name, name) == 0) {
+            add_string(text, "#line 1\n");
+            add_string(text, csg_shader_files[i].text);
+        }
 }
 
 static char *finish_text(struct csg_text *text)
