@@ -8,7 +8,7 @@
 enum { min_cell = 4, max_cell = 1 << 14 };
 
 /* Making a texel takes as long as this many pixels that read one. */
-#define TEXEL_COST 5.0
+#define TEXEL_COST 12.0
 
 /* Triangles thinner than this, in pixels, are seen along their plane: it does not say where. */
 #define THIN 1e-3

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "scene/repeats.h"
 #include "scene/text.h"
 
 /* Each # adds its subtree to the highlight layer once more. Nested in differences they could make
@@ -209,12 +210,14 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .origins = origins,
                                   .handoff = handoff,
                                   .directory = params->directory ? params->directory : "."};
+    builder.repeats = csg_repeats_create();
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
                 csg_build_unsupported(&builder) && csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);
     csg_clip_finish(&builder.clip);
+    csg_repeats_destroy(builder.repeats);
     free(builder.meanings);
     free(builder.parts.data);
     return done;

@@ -44,6 +44,7 @@ struct csg_text_state {
 };
 
 struct csg_clip_module;
+struct csg_repeats;
 
 /* What the first drawing has opened. */
 struct csg_clip_state {
@@ -66,6 +67,7 @@ struct csg_builder {
     struct csg_text_state text;
     struct csg_clip_state clip;
     struct csg_tree parts; /* the trees of the compounds, one behind the other */
+    struct csg_repeats *repeats; /* NULL: each compound is read by itself */
 };
 
 struct csg_handoff;

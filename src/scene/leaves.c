@@ -7,6 +7,7 @@
 #include "csg/part.h"
 #include "scene/compounds.h"
 #include "scene/origin.h"
+#include "scene/repeats.h"
 #include "scene/transforms.h"
 
 /* A node that changed the space of what is below it. */
@@ -209,8 +210,9 @@ static bool read_compound(struct walk *walk, uint32_t node, const struct csg_spa
     struct csg_part part = {0};
     struct csg_args args;
     bool done = csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
-                (is_slab ? csg_compound_slab : ops->compound)(&walk->base, node, &args,
-                                                              space->in_boolean, &part);
+                (is_slab ? csg_compound_slab(&walk->base, node, &args, space->in_boolean, &part)
+                         : csg_repeats_read(&walk->base, node, ops, &args, space->in_boolean,
+                                            &part));
     if (done && part.is_too_large)
         csg_walk_unsupported(
             &walk->base, node,

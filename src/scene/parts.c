@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "polyhedra/evaluate.h"
+#include "scene/repeats.h"
 
 /* A node whose children are being read. */
 struct frame {
@@ -182,7 +183,8 @@ static bool read_compound(struct reader *reader, uint32_t node)
     walk->points_only = points_only && !is_cut(reader);
     walk->depth++;
     bool ok = csg_walk_args(walk, node, ops->name, ops->parameters, &args) &&
-              ops->compound(walk, node, &args, top_of(reader)->space.in_boolean, &inner);
+              csg_repeats_read(walk, node, ops, &args, top_of(reader)->space.in_boolean,
+                               &inner);
     walk->depth--;
     walk->points_only = points_only;
     if (ok)
