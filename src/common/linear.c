@@ -112,8 +112,8 @@ void csg_box_extend(struct csg_box *box, struct csg_vec3 p)
 struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b)
 {
     return (struct csg_box){
-        {fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z)},
-        {fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z)}};
+        {csg_least(a->lo.x, b->lo.x), csg_least(a->lo.y, b->lo.y), csg_least(a->lo.z, b->lo.z)},
+        {csg_most(a->hi.x, b->hi.x), csg_most(a->hi.y, b->hi.y), csg_most(a->hi.z, b->hi.z)}};
 }
 
 struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b)

@@ -89,6 +89,17 @@ extern const struct csg_box csg_box_all;
 
 bool csg_box_is_empty(const struct csg_box *box);
 bool csg_box_is_finite(const struct csg_box *box);
+/* As fmin and fmax, where b may be nan and a is none, but without a call of the C library. */
+static inline double csg_least(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+static inline double csg_most(double a, double b)
+{
+    return b > a ? b : a;
+}
+
 void csg_box_extend(struct csg_box *box, struct csg_vec3 p);
 struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b);
 struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b);

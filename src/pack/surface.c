@@ -51,11 +51,11 @@ static const struct csg_view_node nowhere = {
 static void extend(struct csg_view_node *node, const struct csg_view_node *by)
 {
     for (int i = 0; i < 2; i++) {
-        node->lo[i] = fmin(node->lo[i], by->lo[i]);
-        node->hi[i] = fmax(node->hi[i], by->hi[i]);
+        node->lo[i] = csg_least(node->lo[i], by->lo[i]);
+        node->hi[i] = csg_most(node->hi[i], by->hi[i]);
     }
-    node->near = fmin(node->near, by->near);
-    node->far = fmax(node->far, by->far);
+    node->near = csg_least(node->near, by->near);
+    node->far = csg_most(node->far, by->far);
 }
 
 /* A triangle that is partly behind the eye may be anywhere in front of it. */

@@ -90,8 +90,8 @@ static bool fill_convex(const struct csg_mesh *mesh, double near, struct csg_sha
         for (size_t j = 0; j < mesh->corners.num; j++) {
             const double d =
                 csg_dot(plane.normal, mesh->points.data[mesh->corners.data[j]]) - plane.offset;
-            lo = fmin(lo, d);
-            hi = fmax(hi, d);
+            lo = csg_least(lo, d);
+            hi = csg_most(hi, d);
             if (lo < -near && hi > near)
                 return false;
         }

@@ -125,4 +125,22 @@ taskset -c 0 "$csgcast" render plate.csg -o one.png --imgsize=256,256 >out 2>err
 report $? "one core"
 check "both pictures are equal" cmp all.png one.png
 
+# Nodes with the same text are read once or twice and copied; with other digits each by itself.
+row()
+{
+    local i
+    echo "difference() { cube([100, 20, 5]);"
+    for i in 1 2 3 4 5; do
+        echo "multmatrix([[1, 0, 0, $((15 * i))], [0, 1, 0.$i, 10], [0, 0, 1.$i, 2], [0, 0, 0, 1]])"
+        echo "  hull() { sphere(r = 4$1, \$fn = 20); minkowski() { cube(5$1); sphere(1, \$fn = 8); }"
+        echo "    %cylinder(h = 9, r = 9); }"
+        [[ $2 = same ]] || set -- "${1}0" other
+    done
+    echo "}"
+}
+expect 0 "equal nodes" render - -o same.png --imgsize=256,256 < <(row .0 same)
+expect 0 "nodes with other digits" render - -o other.png --imgsize=256,256 < <(row .0 other)
+check "both pictures are equal" cmp same.png other.png
+check "and show something" test "$(wc -c <same.png)" -gt 3000
+
 finish
