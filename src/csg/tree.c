@@ -4,23 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a subtree is once the constants below it are known. */
-struct fold {
-    uint8_t constant;  /* enum csg_known */
-    bool single;       /* a Boolean node with one child that varies */
-};
-
-static struct fold fold_leaf(const struct csg_node *node, const uint8_t *known)
+static struct csg_fold fold_leaf(const struct csg_node *node, const uint8_t *known)
 {
     const uint8_t leaf = known && !node->spare ? known[node->leaf] : CSG_VARIES;
     if (leaf == CSG_VARIES)
-        return (struct fold){CSG_VARIES, false};
+        return (struct csg_fold){CSG_VARIES, false};
     const bool empty = (leaf == CSG_NOTHING) != node->negated;
-    return (struct fold){empty ? CSG_NOTHING : CSG_EVERYTHING, false};
+    return (struct csg_fold){empty ? CSG_NOTHING : CSG_EVERYTHING, false};
 }
 
 /* The neutral constant disappears from a node, the absorbing one decides it. */
-static struct fold fold_node(const struct csg_tree *tree, const struct fold *folds, uint32_t i)
+static struct csg_fold fold_node(const struct csg_tree *tree, const struct csg_fold *folds, uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
     const uint8_t neutral = node->op == CSG_OR ? CSG_NOTHING : CSG_EVERYTHING;
@@ -29,29 +23,18 @@ static struct fold fold_node(const struct csg_tree *tree, const struct fold *fol
         if (folds[child].constant == CSG_VARIES)
             num_varying++;
         else if (folds[child].constant != neutral)
-            return (struct fold){folds[child].constant, false};
+            return (struct csg_fold){folds[child].constant, false};
     }
-    return (struct fold){num_varying ? CSG_VARIES : neutral, num_varying == 1};
+    return (struct csg_fold){num_varying ? CSG_VARIES : neutral, num_varying == 1};
 }
 
-/* Nodes of the new tree that are still open, innermost last. */
-struct open_node {
-    uint32_t index;   /* in the new tree */
-    uint32_t old_end; /* in the old one */
-};
-
-struct emitter {
-    struct csg_tree tree;
-    CSG_ARRAY(struct open_node) open;
-};
-
-static void close_nodes(struct emitter *out, uint32_t old_index)
+static void close_nodes(struct csg_tree_room *out, uint32_t old_index)
 {
     while (out->open.num && out->open.data[out->open.num - 1].old_end <= old_index)
         out->tree.data[out->open.data[--out->open.num].index].end = (uint32_t)out->tree.num;
 }
 
-static bool is_transparent(const struct emitter *out, const struct csg_node *node, bool single)
+static bool is_transparent(const struct csg_tree_room *out, const struct csg_node *node, bool single)
 {
     if (node->op == CSG_LEAF)
         return false;
@@ -60,7 +43,7 @@ static bool is_transparent(const struct emitter *out, const struct csg_node *nod
     return out->open.num && out->tree.data[out->open.data[out->open.num - 1].index].op == node->op;
 }
 
-static bool emit(struct emitter *out, const struct csg_node *node)
+static bool emit(struct csg_tree_room *out, const struct csg_node *node)
 {
     const uint32_t index = (uint32_t)out->tree.num;
     struct csg_node copy = *node;
@@ -68,10 +51,10 @@ static bool emit(struct emitter *out, const struct csg_node *node)
     if (!csg_array_push(&out->tree, copy))
         return false;
     return node->op == CSG_LEAF ||
-           csg_array_push(&out->open, ((struct open_node){index, node->end}));
+           csg_array_push(&out->open, ((struct csg_open_node){index, node->end}));
 }
 
-static bool emit_all(struct emitter *out, const struct csg_tree *tree, const struct fold *folds)
+static bool emit_all(struct csg_tree_room *out, const struct csg_tree *tree, const struct csg_fold *folds)
 {
     for (uint32_t i = 0; i < tree->num;) {
         const struct csg_node *node = &tree->data[i];
@@ -89,35 +72,45 @@ static bool emit_all(struct emitter *out, const struct csg_tree *tree, const str
 }
 
 /* All space is the one constant that needs a node: AND without children. */
-static bool emit_constant(struct emitter *out, uint8_t constant)
+static bool emit_constant(struct csg_tree_room *out, uint8_t constant)
 {
     const struct csg_node everything = {.op = CSG_AND, .end = 1};
     return constant == CSG_NOTHING || csg_array_push(&out->tree, everything);
 }
 
-bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known)
+bool csg_tree_simplify_in(struct csg_tree_room *room, struct csg_tree *tree, const uint8_t *known)
 {
     if (tree->num == 0)
         return true;
-    struct fold *folds = calloc(tree->num, sizeof *folds);
-    if (!folds)
+    room->folds.num = room->open.num = room->tree.num = 0;
+    if (!csg_array_reserve(&room->folds, tree->num) || !csg_array_reserve(&room->tree, tree->num))
         return false;
+    struct csg_fold *folds = room->folds.data;
     for (size_t i = tree->num; i-- > 0;)
         folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], known)
                                                 : fold_node(tree, folds, (uint32_t)i);
-    struct emitter out = {0};
-    const bool ok = csg_array_reserve(&out.tree, tree->num) &&
-                    (folds[0].constant == CSG_VARIES ? emit_all(&out, tree, folds)
-                                                     : emit_constant(&out, folds[0].constant));
-    free(folds);
-    free(out.open.data);
-    if (!ok) {
-        free(out.tree.data);
+    if (folds[0].constant == CSG_VARIES ? !emit_all(room, tree, folds)
+                                        : !emit_constant(room, folds[0].constant))
         return false;
-    }
-    free(tree->data);
-    *tree = out.tree;
+    const struct csg_tree old = *tree;
+    *tree = room->tree;
+    room->tree = old;
     return true;
+}
+
+void csg_tree_room_finish(struct csg_tree_room *room)
+{
+    free(room->folds.data);
+    free(room->open.data);
+    free(room->tree.data);
+}
+
+bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known)
+{
+    struct csg_tree_room room = {0};
+    const bool ok = csg_tree_simplify_in(&room, tree, known);
+    csg_tree_room_finish(&room);
+    return ok;
 }
 
 bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy)

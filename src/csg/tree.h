@@ -43,6 +43,28 @@ enum csg_known { CSG_VARIES, CSG_NOTHING, CSG_EVERYTHING };
  */
 bool csg_tree_simplify(struct csg_tree *tree, const uint8_t *known);
 
+/* What a subtree is once the constants below it are known. */
+struct csg_fold {
+    uint8_t constant; /* enum csg_known */
+    bool single;      /* a Boolean node with one child that varies */
+};
+
+/* Nodes of a new tree that are still open, innermost last. */
+struct csg_open_node {
+    uint32_t index;   /* in the new tree */
+    uint32_t old_end; /* in the old one */
+};
+
+/* Memory for many simplifications. Zero-initialise it. */
+struct csg_tree_room {
+    CSG_ARRAY(struct csg_fold) folds;
+    CSG_ARRAY(struct csg_open_node) open;
+    struct csg_tree tree; /* takes the new nodes, and then gets the old ones' memory */
+};
+
+bool csg_tree_simplify_in(struct csg_tree_room *room, struct csg_tree *tree, const uint8_t *known);
+void csg_tree_room_finish(struct csg_tree_room *room);
+
 /* copy, zeroed before, becomes an equal tree. false: out of memory. */
 bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy);
 

@@ -34,7 +34,10 @@ struct tiler {
     struct csg_terms *terms;
     const struct csg_draw *draw;
     CSG_ARRAY(struct task) tasks;
+    CSG_ARRAY(struct csg_tree) spare; /* memory of tasks that are done */
+    struct csg_tree_room room;
     CSG_ARRAY(struct csg_leaf_range) leaves; /* by node */
+    CSG_ARRAY(struct csg_leaf_range) known;  /* by leaf of the terms, of the tile at hand */
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
     CSG_ARRAY(bool) planes;
@@ -87,7 +90,8 @@ static struct csg_leaf_range leaf_range(const struct tiler *tiler, const struct 
     return csg_range_of_leaf(tiler->terms, terms, box, NULL, NULL);
 }
 
-static void fill_ranges(struct tiler *tiler, const struct task *task)
+/* again: the leaves have had their ranges in this tile before. */
+static void fill_ranges(struct tiler *tiler, const struct task *task, bool again)
 {
     const struct csg_tile_box box = tile_box(tiler, task);
     for (size_t i = task->tree.num; i-- > 0;) {
@@ -96,7 +100,10 @@ static void fill_ranges(struct tiler *tiler, const struct task *task)
             tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
             continue;
         }
-        const struct csg_leaf_range leaf = leaf_range(tiler, task, &box, node->leaf);
+        struct csg_leaf_range *known = &tiler->known.data[tiler->terms->index[node->leaf]];
+        if (!again)
+            *known = leaf_range(tiler, task, &box, node->leaf);
+        const struct csg_leaf_range leaf = *known;
         tiler->leaves.data[i] = leaf;
         tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
                                              : (struct csg_range){leaf.entry.lo, leaf.exit.hi};
@@ -234,8 +241,9 @@ static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 
 static bool reserve(struct tiler *tiler, size_t num)
 {
-    tiler->leaves.num = tiler->nodes.num = tiler->contexts.num = 0;
-    return csg_array_reserve(&tiler->leaves, num) && csg_array_reserve(&tiler->nodes, num) &&
+    tiler->leaves.num = tiler->nodes.num = tiler->contexts.num = tiler->known.num = 0;
+    return csg_array_reserve(&tiler->leaves, num) &&
+           csg_array_reserve(&tiler->known, tiler->terms->leaves.num) && csg_array_reserve(&tiler->nodes, num) &&
            csg_array_reserve(&tiler->contexts, num);
 }
 
@@ -247,14 +255,26 @@ static size_t count_leaves(const struct csg_tree *tree)
     return num;
 }
 
-static bool copy_tree(const struct csg_tree *tree, struct csg_tree *copy)
+static bool copy_tree(struct tiler *tiler, const struct csg_tree *tree, struct csg_tree *copy)
 {
     *copy = (struct csg_tree){0};
-    if (!csg_array_reserve(copy, tree->num))
+    if (tiler->spare.num)
+        *copy = tiler->spare.data[--tiler->spare.num];
+    copy->num = 0;
+    if (!csg_array_reserve(copy, tree->num)) {
+        free(copy->data);
         return false;
+    }
     memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
     copy->num = tree->num;
     return true;
+}
+
+/* The memory of a tree that is not needed any more, for the next one. */
+static void drop_tree(struct tiler *tiler, struct csg_tree *tree)
+{
+    if (tree->data && !csg_array_push(&tiler->spare, *tree))
+        free(tree->data);
 }
 
 static int tile_size(const struct tiler *tiler)
@@ -280,7 +300,7 @@ static bool cut(struct tiler *tiler, struct task *task)
     const int size = task->hi[axis] - task->lo[axis];
     const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
     const int middle = edge_between(task->lo[axis], task->hi[axis], tile);
-    if (!copy_tree(&task->tree, &other.tree))
+    if (!copy_tree(tiler, &task->tree, &other.tree))
         return false;
     task->hi[axis] = other.lo[axis] = middle;
     const bool ok = csg_array_push(&tiler->tasks, other) && csg_array_push(&tiler->tasks, *task);
@@ -322,7 +342,7 @@ static bool emit(struct tiler *tiler, const struct task *task)
     struct csg_frame *frame = tiler->terms->frame;
     const struct csg_tile_box box = tile_box(tiler, task);
     struct csg_draw draw = *tiler->draw;
-    fill_ranges(tiler, task); /* of what is left */
+    fill_ranges(tiler, task, true); /* of what is left */
     if (!csg_scan_fill(&tiler->scan, tiler->terms->scene, &task->tree, tiler->leaves.data,
                        !draw.around_eye))
         return false;
@@ -361,11 +381,11 @@ static bool run(struct tiler *tiler, struct task *task)
 {
     if (!reserve(tiler, task->tree.num))
         return false;
-    fill_ranges(tiler, task);
+    fill_ranges(tiler, task, false);
     judge_leaves(tiler, &task->tree);
     const struct csg_tile_box box = tile_box(tiler, task);
     csg_dominate(tiler->terms, &task->tree, tiler->leaves.data, &box);
-    if (!csg_tree_simplify(&task->tree, tiler->terms->known))
+    if (!csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
     if (task->tree.num == 0) {
         tiler->terms->frame->tiles_empty++;
@@ -380,12 +400,12 @@ static bool run(struct tiler *tiler, struct task *task)
 }
 
 /* The object's own part of the layer's tree, counted from 0. */
-static bool object_tree(const struct csgcast_scene *scene, const struct csg_object *object,
+static bool object_tree(struct tiler *tiler, const struct csg_object *object,
                         struct csg_tree *tree)
 {
-    const struct csg_node *nodes = scene->trees[object->layer].data + object->begin;
+    const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data + object->begin;
     const struct csg_tree part = {(struct csg_node *)nodes, object->end - object->begin, 0};
-    if (!copy_tree(&part, tree))
+    if (!copy_tree(tiler, &part, tree))
         return false;
     for (size_t i = 0; i < tree->num; i++)
         tree->data[i].end -= object->begin;
@@ -398,7 +418,7 @@ static bool run_all(struct tiler *tiler)
     while (tiler->tasks.num) {
         struct task task = tiler->tasks.data[--tiler->tasks.num];
         ok = ok && run(tiler, &task);
-        free(task.tree.data);
+        drop_tree(tiler, &task.tree);
     }
     return ok;
 }
@@ -410,14 +430,19 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
                           .draw = draw,
                           .max_texels = area->max_texels + terms->frame->texels.num / 4};
     struct task whole = {.lo = {area->lo[0], area->lo[1]}, .hi = {area->hi[0], area->hi[1]}};
-    bool ok = object_tree(terms->scene, object, &whole.tree);
+    bool ok = object_tree(&tiler, object, &whole.tree);
     if (ok && !csg_array_push(&tiler.tasks, whole)) {
         free(whole.tree.data);
         ok = false;
     }
     ok = run_all(&tiler) && ok;
+    for (size_t i = 0; i < tiler.spare.num; i++)
+        free(tiler.spare.data[i].data);
+    free(tiler.spare.data);
+    csg_tree_room_finish(&tiler.room);
     free(tiler.tasks.data);
     free(tiler.leaves.data);
+    free(tiler.known.data);
     free(tiler.nodes.data);
     free(tiler.contexts.data);
     free(tiler.planes.data);
