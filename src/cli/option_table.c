@@ -225,7 +225,7 @@ static const char *set_threads(struct csg_cli_options *options, const char *valu
     int num;
     if (!csg_value_int(value, &num) || num < 0 || num > 64)
         return "0 to 64";
-    options->renderer.num_threads = num;
+    options->renderer.num_threads = options->scene.num_threads = num;
     if (num > 0)
         setenv("LP_NUM_THREADS", value, 0); /* for llvmpipe, which is loaded later */
     return NULL;
@@ -461,7 +461,7 @@ const struct csg_option csg_option_table[] = {
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
     {"threads", 0, REQUIRED, DRAW, "N",
-     "threads that draw, llvmpipe's too unless LP_NUM_THREADS says how\n"
+     "threads that read and draw, llvmpipe's too unless LP_NUM_THREADS says how\n"
      "many; default 0: as many as there are cores. Pictures stay the same",
      set_threads},
     {"variant", 0, REQUIRED, DRAW, "NAME",

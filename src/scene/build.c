@@ -209,6 +209,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .skip_unsupported = params->skip_unsupported,
                                   .origins = origins,
                                   .handoff = handoff,
+                                  .num_threads = params->num_threads,
                                   .directory = params->directory ? params->directory : "."};
     builder.repeats = csg_repeats_create();
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&

@@ -7,7 +7,7 @@
  *   meaning.c  what each node is, and which are left out,
  *   dimension.c  which are two-dimensional where solids are wanted, or the other way round,
  *   unsupported.c  which are nothing for us,
- *   leaves.c   the solids, in world space,
+ *   leaves.c   the solids, in world space; shares.c  the same on all cores,
  *   build.c    the Boolean trees of the layers.
  */
 
@@ -61,6 +61,7 @@ struct csg_builder {
     bool skip_unsupported;
     struct csg_handoff *handoff;  /* NULL: what is not native is not supported */
     const char *directory;        /* where relative file names in the text start; "." at least */
+    int num_threads;              /* that read it, see csg_parallel */
     uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings; /* one for each node of the document */
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
@@ -87,6 +88,12 @@ bool csg_build_meanings(struct csg_builder *builder);
 bool csg_build_dimensions(struct csg_builder *builder);
 bool csg_build_unsupported(struct csg_builder *builder);
 bool csg_build_leaves(struct csg_builder *builder);
+
+/* The leaves of the nodes from begin on, wherever that is in the tree, up to end. */
+bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t end);
+
+/* Adds base to the numbers of the leaves that csg_build_leaves_in has made of the same nodes. */
+void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t base);
 
 /*
  * The node cannot be done natively, for that reason ("text: ..."): it is handed to openscad, or

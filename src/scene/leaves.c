@@ -261,18 +261,56 @@ static bool visit(struct walk *walk, uint32_t node)
     return !csg_has_children(meaning) || enter(walk, node);
 }
 
-bool csg_build_leaves(struct csg_builder *builder)
+static bool is_off(const struct csg_builder *builder, uint32_t node)
+{
+    return (builder->document->nodes.data[node].modifiers & CSG_MODIFIER_DISABLE) != 0;
+}
+
+/* What comes behind a node whose children do not count, or the first of those. */
+static uint32_t next_node(const struct csg_builder *builder, uint32_t node)
+{
+    const bool descend = !is_off(builder, node) && csg_has_children(&builder->meanings[node]);
+    return descend ? node + 1 : builder->document->nodes.data[node].end;
+}
+
+/* Whether the walk to a node has nothing to do here: what is around that node is entered. */
+static bool is_passed_by(const struct csg_builder *builder, uint32_t node, uint32_t first)
+{
+    return node < first && (builder->document->nodes.data[node].end <= first ||
+                            next_node(builder, node) > node + 1);
+}
+
+bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t end)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
     const struct frame world = {UINT32_MAX, csg_space_world};
     struct walk walk = {.base = {.builder = builder}, .builder = builder};
     bool done = csg_array_push(&walk.frames, world) || csg_log_memory(&builder->report->log);
-    for (uint32_t i = builder->begin; done && i < builder->end;) {
-        const bool is_off = (nodes[i].modifiers & CSG_MODIFIER_DISABLE) != 0;
-        done = is_off || visit(&walk, i);
-        i = is_off || !csg_has_children(&builder->meanings[i]) ? nodes[i].end : i + 1;
+    for (uint32_t i = builder->begin; done && i < end;) {
+        if (is_passed_by(builder, i, begin)) {
+            i = nodes[i].end;
+            continue;
+        }
+        done = is_off(builder, i) || visit(&walk, i);
+        i = next_node(builder, i);
     }
     csg_arguments_finish(&walk.base.arguments);
     free(walk.frames.data);
     return done;
+}
+
+void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t base)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    for (uint32_t i = builder->begin; i < end;) {
+        struct csg_meaning *meaning = &builder->meanings[i];
+        if (is_passed_by(builder, i, begin)) {
+            i = nodes[i].end;
+            continue;
+        }
+        if (i >= begin && !is_off(builder, i) && meaning->role == CSG_ROLE_SOLID &&
+            meaning->leaf != CSG_NO_LEAF)
+            meaning->leaf += base;
+        i = next_node(builder, i);
+    }
 }

@@ -101,6 +101,7 @@ struct csgcast_scene_params {
     uint64_t cache_size;         /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
     csgcast_log_fn *log;         /* NULL: standard error */
     void *log_user;              /* passed to log */
+    int num_threads;             /* that read it, as in csgcast_renderer_params */
 };
 
 struct csgcast_scene;
