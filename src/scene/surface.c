@@ -1,34 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * surface() of a text file of heights: each cell is four triangles about its centre, and the whole
- * stands on a floor one below the lowest height, or -1 if that is higher (surface.cc of OpenSCAD).
+ * surface() of a text file of heights, or of an image: each cell is four triangles about its
+ * centre, and the whole stands on a floor one below the lowest height, or -1 if that is higher
+ * (surface.cc of OpenSCAD).
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "scene/compounds.h"
+#include "scene/heights.h"
 #include "scene/import.h"
 #include "scene/mesh_file.h"
 #include "scene/polyhedron.h"
 
-/* Rows of the longest one's length may not have more heights together. */
-enum { max_heights = 10000000 };
-
-/* One height after the other, row by row; rows may differ in length. */
-struct heights {
-    CSG_ARRAY(double) values;
-    CSG_ARRAY(size_t) rows; /* where each ends */
-    size_t columns;
-    double floor;
-};
-
-static bool is_png(const struct csg_bytes *bytes)
+void csg_heights_finish(struct csg_heights *heights)
 {
-    return bytes->num >= 8 && memcmp(bytes->data, "\x89PNG\r\n\x1a\n", 8) == 0;
+    free(heights->values.data);
+    free(heights->rows.data);
+    *heights = (struct csg_heights){0};
 }
 
 /* Of a row with a value that is none what stands before it counts. */
-static bool add_row(struct heights *heights, struct csg_words *words, bool *is_good)
+static bool add_row(struct csg_heights *heights, struct csg_words *words, bool *is_good)
 {
     const size_t begin = heights->values.num;
     bool ok = true;
@@ -52,7 +44,7 @@ static bool add_row(struct heights *heights, struct csg_words *words, bool *is_g
 }
 
 /* OpenSCAD ends at a value that is none. line: where. */
-static bool read_heights(struct heights *heights, const struct csg_bytes *bytes, size_t *line)
+static bool read_heights(struct csg_heights *heights, const struct csg_bytes *bytes, size_t *line)
 {
     struct csg_words words = {.at = bytes->data, .end = bytes->data + bytes->num, .line = 1};
     bool ok = true, is_good = true;
@@ -69,7 +61,7 @@ static bool read_heights(struct heights *heights, const struct csg_bytes *bytes,
     return ok;
 }
 
-static double height_at(const struct heights *heights, size_t row, size_t column)
+static double height_at(const struct csg_heights *heights, size_t row, size_t column)
 {
     const size_t begin = row ? heights->rows.data[row - 1] : 0;
     return begin + column < heights->rows.data[row] ? heights->values.data[begin + column] : 0;
@@ -78,7 +70,7 @@ static double height_at(const struct heights *heights, size_t row, size_t column
 /* ---- the mesh ----------------------------------------------------------------------------- */
 
 struct relief {
-    const struct heights *heights;
+    const struct csg_heights *heights;
     struct csg_mesh *mesh;
     size_t rows, columns;
     double x, y; /* of the first height */
@@ -168,7 +160,7 @@ static bool add_relief(const struct relief *relief)
     return ok && csg_mesh_clean(relief->mesh, NULL);
 }
 
-static bool add_heights(struct csg_walk *walk, uint32_t node, const struct heights *heights,
+static bool add_heights(struct csg_walk *walk, uint32_t node, const struct csg_heights *heights,
                         bool center, struct csg_part *part)
 {
     struct csg_mesh mesh = {0};
@@ -176,8 +168,8 @@ static bool add_heights(struct csg_walk *walk, uint32_t node, const struct heigh
         .heights = heights, .mesh = &mesh, .rows = heights->rows.num, .columns = heights->columns};
     if (relief.rows < 2 || relief.columns < 2)
         return true;
-    if (relief.rows > max_heights / relief.columns) {
-        csg_walk_unsupported(walk, node, "surface: it has more than %d heights", max_heights);
+    if (relief.rows > CSG_HEIGHTS_MAX / relief.columns) {
+        csg_walk_unsupported(walk, node, "surface: it has more than %d heights", CSG_HEIGHTS_MAX);
         return true;
     }
     relief.x = center ? -((double)relief.columns - 1) / 2 : 0;
@@ -188,34 +180,42 @@ static bool add_heights(struct csg_walk *walk, uint32_t node, const struct heigh
     return ok;
 }
 
-static bool add_bytes(struct csg_walk *walk, uint32_t node, const char *name,
-                      const struct csg_bytes *bytes, bool center, struct csg_part *part)
+static bool read_image(struct csg_walk *walk, uint32_t node, const char *name,
+                       const struct csg_bytes *bytes, bool invert, struct csg_heights *heights)
 {
-    struct heights heights = {0};
+    const enum csg_heights_result result = csg_heights_read_png(heights, bytes, invert);
+    if (result == CSG_HEIGHTS_TOO_MANY)
+        csg_walk_unsupported(walk, node, "surface: it has more than %d heights", CSG_HEIGHTS_MAX);
+    else if (result == CSG_HEIGHTS_BROKEN)
+        csg_walk_warning(walk, node, "%.160s: malformed; nothing is drawn", name);
+    return result != CSG_HEIGHTS_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+}
+
+static bool read_text(struct csg_walk *walk, uint32_t node, const char *name,
+                      const struct csg_bytes *bytes, struct csg_heights *heights)
+{
     size_t line = 0;
-    if (is_png(bytes)) {
-        csg_walk_unsupported(walk, node, "surface of a PNG image is not supported yet");
-        return true;
-    }
-    bool ok = read_heights(&heights, bytes, &line) || csg_log_memory(&walk->builder->report->log);
+    const bool ok = read_heights(heights, bytes, &line);
     if (ok && line > 0)
         csg_walk_warning(walk, node, "%.160s:%zu: not a number; the file ends here", name, line);
-    ok = ok && add_heights(walk, node, &heights, center, part);
-    free(heights.values.data);
-    free(heights.rows.data);
-    return ok;
+    return ok || csg_log_memory(&walk->builder->report->log);
 }
 
 bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                           bool in_boolean, struct csg_part *part)
 {
     const bool center = csg_args_bool(args, "center", false);
+    const bool invert = csg_args_bool(args, "invert", false);
+    struct csg_heights heights = {0};
     struct csg_bytes bytes = {0};
     const char *name;
     (void)in_boolean;
     bool ok = csg_import_read(walk, node, args, &name, &bytes);
     if (ok && name)
-        ok = add_bytes(walk, node, name, &bytes, center, part);
+        ok = (csg_heights_is_png(&bytes) ? read_image(walk, node, name, &bytes, invert, &heights)
+                                         : read_text(walk, node, name, &bytes, &heights)) &&
+             add_heights(walk, node, &heights, center, part);
     free(bytes.data);
+    csg_heights_finish(&heights);
     return ok;
 }
