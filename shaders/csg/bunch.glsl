@@ -179,8 +179,11 @@ ivec2 csg_cell_face(ivec2 place, int terms, vec2 d)
     csg_span span = csg_whole_ray();
     vec4 head = csg_texel(leaf);
     int num = int(head.x);
-    for (int face = 0; face < num; face++)
+    for (int face = 0; face < num; face += 2) {
+        int other = min(face + 1, num - 1);
         csg_cell_plane(csg_texel(leaf + 1 + face), d, face, span);
+        csg_cell_plane(csg_texel(leaf + 1 + other), d, other, span);
+    }
 #ifdef CSG_HAS_QUADRIC
     if ((int(head.z) & CSG_RECORD_QUADRIC) != 0) {
         vec2 key = csg_bunch_quadric(leaf + 1 + num, d);

@@ -143,8 +143,8 @@ static bool sort_literals(struct csg_bunches *bunches, const struct csg_tree *tr
     bunches->literals.num = 0;
     for (size_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF &&
-            !csg_array_push(&bunches->literals,
-                            ((struct csg_bunch_literal){tree->data[i].leaf, tree->data[i].negated})))
+            !csg_array_push(&bunches->literals, ((struct csg_bunch_literal){
+                                                    tree->data[i].leaf, tree->data[i].negated})))
             return false;
     qsort(bunches->literals.data, bunches->literals.num, sizeof *bunches->literals.data,
           compare_literals);

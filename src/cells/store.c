@@ -4,8 +4,14 @@
 #include <pthread.h>
 #include <stdlib.h>
 
+/* Frames for which an answer holds, if their area does not change by more than a quarter. */
+#define MEMORY 8
+
 struct entry {
     struct csg_cells *cells;
+    double answer, area; /* of csg_cells_remember */
+    int num_left;        /* frames for which that holds */
+    double spared;       /* tests, if they had been there */
     bool asked;
 };
 
@@ -41,15 +47,45 @@ void csg_cells_store_destroy(struct csg_cells_store *store)
 }
 
 const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object,
-                                     int num_threads)
+                                     double spared, int num_threads)
 {
     struct csg_cells_store *store = scene->cells;
     struct entry *entry = &store->entries[object];
     const struct csg_object *of = &scene->objects->data[object];
     pthread_mutex_lock(&store->mutex);
-    if (!entry->asked && csg_cells_can_hold(scene, of))
-        entry->cells = csg_cells_create(scene, of, num_threads);
-    entry->asked = true;
+    entry->spared += spared;
+    if (!entry->asked && entry->spared >= csg_cells_cost(scene, of)) {
+        entry->asked = true;
+        if (csg_cells_can_hold(scene, of))
+            entry->cells = csg_cells_create(scene, of, num_threads);
+    }
+    const struct csg_cells *cells = entry->cells;
     pthread_mutex_unlock(&store->mutex);
-    return entry->cells;
+    return cells;
+}
+
+bool csg_cells_recall(const struct csgcast_scene *scene, uint32_t object, double area,
+                      double *spared)
+{
+    struct csg_cells_store *store = scene->cells;
+    struct entry *entry = &store->entries[object];
+    pthread_mutex_lock(&store->mutex);
+    const bool holds =
+        entry->num_left > 0 && area < 1.25 * entry->area && entry->area < 1.25 * area;
+    entry->num_left -= holds;
+    *spared = entry->answer;
+    pthread_mutex_unlock(&store->mutex);
+    return holds;
+}
+
+void csg_cells_remember(const struct csgcast_scene *scene, uint32_t object, double area,
+                        double spared)
+{
+    struct csg_cells_store *store = scene->cells;
+    struct entry *entry = &store->entries[object];
+    pthread_mutex_lock(&store->mutex);
+    entry->answer = spared;
+    entry->area = area;
+    entry->num_left = MEMORY - 1;
+    pthread_mutex_unlock(&store->mutex);
 }

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cells/store.h"
 #include "common/clock.h"
 #include "crowd/fill.h"
 #include "csg/membership.h"
+#include "pack/choice.h"
 #include "pack/precise.h"
 #include "pack/terms.h"
 #include "pack/walk.h"
@@ -160,53 +160,6 @@ static void note_stiff(struct packer *packer, uint32_t index)
                                                                    .resolved = terms->error};
 }
 
-/* Smaller objects are drawn in tiles whatever they are. */
-#define MIN_CELL_LEAVES 200
-
-/* Solids a pixel is tested against in tiles, from which on cells are faster; few: certainly not,
- * many: certainly. */
-#define MAX_TESTS 6
-#define FEW_TESTS 4
-#define MANY_TESTS 12
-
-/* Rows of solids only: the stack that nested trees need makes cells slower than tiles. */
-static bool is_nested(const struct packer *packer, const struct csg_object *object)
-{
-    const struct csg_node *nodes = packer->scene->trees[object->layer].data;
-    for (uint32_t i = object->begin + 1; i < object->end; i++)
-        if (nodes[i].op != CSG_LEAF)
-            return true;
-    return false;
-}
-
-/* Cells are for rays that start outside of an object and for keys in float. cells becomes NULL
- * where the object is not drawn in them. false: out of memory. */
-static bool choose_cells(const struct packer *packer, const struct csg_object *object,
-                         const struct csg_rect *rect, const struct csg_draw *draw,
-                         const struct csg_cells **cells)
-{
-    const enum csg_cells_use use = packer->params->cells;
-    double tests = 0;
-    *cells = NULL;
-    if (use == CSG_CELLS_NEVER || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
-        draw->precise || !csg_walk_can_see(&packer->frame->screen, &object->box))
-        return true;
-    if (use == CSG_CELLS_WHERE_BETTER) {
-        if (packer->terms.leaves.num < MIN_CELL_LEAVES || packer->terms.views.num ||
-            packer->scene->keeps_structure || is_nested(packer, object))
-            return true; /* an edit would have to make the cells anew, and perhaps a program */
-        if (!csg_tile_sample(&packer->terms, object, rect, draw, FEW_TESTS, MANY_TESTS,
-                             &tests))
-            return false;
-        if (tests < MAX_TESTS)
-            return true;
-    }
-    *cells = csg_cells_of(packer->scene, draw->object, packer->params->num_threads);
-    if (*cells && !csg_walk_has_room(packer->frame, *cells))
-        *cells = NULL;
-    return true;
-}
-
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
 {
     struct csg_rect rect;
@@ -229,7 +182,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.precise = packer->terms.precise;
     draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
     const struct csg_cells *cells;
-    if (!choose_cells(packer, object, &rect, &draw, &cells))
+    if (!csg_cells_choose(&packer->terms, object, &rect, &draw, &cells))
         return false;
     if (cells)
         return csg_walk_add(&packer->terms, cells, &rect, &draw);

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+#include "pack/choice.h"
+
+#include "cells/bunch.h"
+#include "cells/store.h"
+#include "pack/walk.h"
+#include "tile/tile.h"
+
+/* Smaller objects are drawn in tiles whatever they are. */
+#define MIN_CELL_LEAVES 200
+
+/* Solids a pixel is tested against in tiles, from which on cells are faster; in bunches, and else.
+ */
+#define MAX_TESTS_BUNCHED 3.0
+#define MAX_TESTS 6.0
+
+/* Shares of that: few, so that cells are certainly no faster, and many: they certainly are. */
+#define FEW_TESTS 0.7
+#define MANY_TESTS 8.0
+
+/* Rows of solids only: the stack that nested trees need makes cells slower than tiles. */
+static bool is_nested(const struct csg_terms *terms, const struct csg_object *object)
+{
+    const struct csg_node *nodes = terms->scene->trees[object->layer].data;
+    for (uint32_t i = object->begin + 1; i < object->end; i++)
+        if (nodes[i].op != CSG_LEAF)
+            return true;
+    return false;
+}
+
+/* What cells would spare this object in this frame, in tests; 0: nothing. false: out of memory. */
+static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
+                        const struct csg_rect *rect, const struct csg_draw *draw, double *spared)
+{
+    bool quadrics;
+    const double most =
+        csg_bunches_can_hold(terms->scene, object, &quadrics) ? MAX_TESTS_BUNCHED : MAX_TESTS;
+    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+    double tests;
+    *spared = 0;
+    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num || is_nested(terms, object) ||
+        csg_cells_recall(terms->scene, draw->object, area, spared))
+        return true;
+    if (!csg_tile_sample(terms, object, rect, draw, FEW_TESTS * most, MANY_TESTS * most, &tests))
+        return false;
+    *spared = fmax(tests - most, 0) * area;
+    csg_cells_remember(terms->scene, draw->object, area, *spared);
+    return true;
+}
+
+bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
+                      const struct csg_rect *rect, const struct csg_draw *draw,
+                      const struct csg_cells **cells)
+{
+    const enum csg_cells_use use = terms->params->cells;
+    double spared = INFINITY;
+    *cells = NULL;
+    if (use == CSG_CELLS_NEVER || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
+        draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
+        return true;
+    if (use == CSG_CELLS_WHERE_BETTER && !find_spared(terms, object, rect, draw, &spared))
+        return false;
+    if (spared == 0)
+        return true;
+    *cells = csg_cells_of(terms->scene, draw->object, spared, terms->params->num_threads);
+    if (*cells && !csg_walk_has_room(terms->frame, *cells))
+        *cells = NULL;
+    return true;
+}
