@@ -30,16 +30,19 @@ static bool is_nested(const struct csg_terms *terms, const struct csg_object *ob
 
 /* What cells would spare this object in this frame, in tests; 0: nothing. false: out of memory. */
 static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
-                        const struct csg_rect *rect, const struct csg_draw *draw, double *spared)
+                        const struct csg_rect *rect, struct csg_draw *draw, double *spared)
 {
     bool quadrics;
-    const double most =
-        csg_bunches_can_hold(terms->scene, object, &quadrics) ? MAX_TESTS_BUNCHED : MAX_TESTS;
+    const bool bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
+    const double most = bunched ? MAX_TESTS_BUNCHED : MAX_TESTS;
     const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     double tests;
     *spared = 0;
-    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num || is_nested(terms, object) ||
-        csg_cells_recall(terms->scene, draw->object, area, spared))
+    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num || is_nested(terms, object))
+        return true;
+    draw->may_walk = true;
+    draw->bunched = bunched;
+    if (csg_cells_recall(terms->scene, draw->object, area, spared))
         return true;
     if (!csg_tile_sample(terms, object, rect, draw, FEW_TESTS * most, MANY_TESTS * most, &tests))
         return false;
@@ -49,7 +52,7 @@ static bool find_spared(const struct csg_terms *terms, const struct csg_object *
 }
 
 bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
-                      const struct csg_rect *rect, const struct csg_draw *draw,
+                      const struct csg_rect *rect, struct csg_draw *draw,
                       const struct csg_cells **cells)
 {
     const enum csg_cells_use use = terms->params->cells;

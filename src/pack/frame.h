@@ -37,6 +37,7 @@ struct csg_draw {
     bool surface;         /* some record is that of a surface of triangles */
     bool surface_alone;   /* there is no other, and the eye is outside of it */
     bool walk;            /* in cells: records begin with CSG_WALK_HEADER */
+    bool may_walk;        /* it may be in cells in another frame */
     bool nested, bunched; /* walk: see csg_cells */
     bool tile;            /* a tile of the object: its records differ from the object's steps */
 };

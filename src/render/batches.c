@@ -30,6 +30,7 @@ struct chooser {
     GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
     bool tiles_prepared, direct;
+    uint32_t prepared; /* the object whose cells' program is there, + 1 */
     size_t max_handed; /* flat inputs that the driver allows */
     int max_point;     /* pixels of a point's side */
 };
@@ -267,8 +268,8 @@ static GLuint choose_chain(struct chooser *chooser, int chain)
     return chooser->chains[chain];
 }
 
-/* What tiles need changes with each edit: in scenes that are edited it is all there from the first
- * frame on. false, with a message, on failure. */
+/* What tiles and cells need, and which of them it is, changes with each edit: in scenes that are
+ * edited it is all there from the first frame on. false, with a message, on failure. */
 static bool prepare_tiles(struct chooser *chooser)
 {
     enum csg_resolver resolver;
@@ -289,10 +290,20 @@ static int walk_features(const struct chooser *chooser, const struct csg_draw *d
            (draw->nested ? CSG_FEATURE_NESTED : 0) | (draw->bunched ? CSG_FEATURE_BUNCHES : 0);
 }
 
+static bool prepare_cells(struct chooser *chooser, const struct csg_draw *draw)
+{
+    enum csg_resolver resolver;
+    if (!draw->may_walk || !chooser->request->scene->keeps_structure ||
+        chooser->prepared == draw->object + 1)
+        return true;
+    chooser->prepared = draw->object + 1;
+    return choose_shared(chooser, CSG_RESOLVER_CELLS, walk_features(chooser, draw), &resolver) != 0;
+}
+
 static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
-    if (draw->tile && !prepare_tiles(chooser))
+    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) || !prepare_cells(chooser, draw))
         return 0;
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);
