@@ -112,9 +112,14 @@ static struct entry *find_or_add(struct csg_repeats *repeats, uint64_t hash, boo
 
 static bool copy_part(struct csg_part *copy, const struct csg_part *part)
 {
+    *copy = *part;
+    copy->shapes.data = NULL;
+    copy->tree.data = NULL;
+    copy->open.data = NULL;
+    copy->shapes.num = copy->tree.num = copy->open.num = 0;
+    copy->shapes.capacity = copy->tree.capacity = copy->open.capacity = 0;
     bool ok = csg_array_reserve(&copy->shapes, part->shapes.num) &&
               csg_array_reserve(&copy->tree, part->tree.num);
-    copy->is_too_large = part->is_too_large;
     for (size_t i = 0; i < part->shapes.num && ok; i++)
         ok = csg_shape_copy(&copy->shapes.data[copy->shapes.num++], &part->shapes.data[i]);
     if (ok && part->tree.num)
@@ -190,7 +195,8 @@ bool csg_repeats_read(struct csg_walk *walk, uint32_t node, const struct csg_nod
                       const struct csg_args *args, bool in_boolean, struct csg_part *part)
 {
     struct csg_bytes key = {0};
-    if (!walk->builder->repeats || csg_walk_node(walk, node)->end == node + 1)
+    /* A resize() around the node may want more of it than its part. */
+    if (!walk->builder->repeats || walk->resized || csg_walk_node(walk, node)->end == node + 1)
         return ops->compound(walk, node, args, in_boolean, part);
     const bool ok = fill_key(walk, node, in_boolean, &key)
                         ? read_or_copy(walk, node, ops, args, in_boolean, &key, part)
