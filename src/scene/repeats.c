@@ -6,6 +6,7 @@
 
 #include "mesh/surface.h"
 #include "scene/cache.h"
+#include "scene/compounds.h"
 #include "scene/handoff.h"
 #include "scene/subtree.h"
 
@@ -191,12 +192,20 @@ static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_
            csg_log_memory(&walk->builder->report->log);
 }
 
+/* Faces that are not plane are cut in a space outside of the resize() that they are in (cut_space.h),
+ * and what has no children is as soon read as copied. */
+static bool depends_on_text(const struct csg_walk *walk, uint32_t node,
+                            const struct csg_node_ops *ops)
+{
+    return !walk->resized && ops->compound != csg_compound_resize &&
+           csg_walk_node(walk, node)->end > node + 1;
+}
+
 bool csg_repeats_read(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
                       const struct csg_args *args, bool in_boolean, struct csg_part *part)
 {
     struct csg_bytes key = {0};
-    /* A resize() around the node may want more of it than its part. */
-    if (!walk->builder->repeats || walk->resized || csg_walk_node(walk, node)->end == node + 1)
+    if (!walk->builder->repeats || !depends_on_text(walk, node, ops))
         return ops->compound(walk, node, args, in_boolean, part);
     const bool ok = fill_key(walk, node, in_boolean, &key)
                         ? read_or_copy(walk, node, ops, args, in_boolean, &key, part)
