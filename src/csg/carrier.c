@@ -183,7 +183,7 @@ static bool find_quadric(const struct builder *builder, uint32_t leaf,
     struct csg_index_probe probe;
     csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
-        const struct csg_quadric *carrier = &builder->carriers->quadrics[i];
+        const struct csg_quadric *carrier = csg_carrier_quadric(builder->scene, builder->carriers, i);
         if (!same_class(&shape->quadric, carrier))
             continue;
         if (was_on(builder, leaf, extent, i, face))
@@ -223,8 +223,8 @@ static bool add_quadric(struct builder *builder, uint32_t leaf, const struct ext
     struct csg_carriers *carriers = builder->carriers;
     const struct csg_quadric *quadric = &builder->scene->leaves[leaf].shape.quadric;
     *face = (struct csg_face){(uint32_t)carriers->num_quadrics, false};
-    return push_carrier(carriers, quadrics, *quadric) &&
-           push_carrier(carriers, quadric_boxes, csg_box_empty) &&
+    carriers->num_quadrics++;
+    return push_carrier(carriers, quadric_boxes, csg_box_empty) &&
            push_carrier(carriers, quadric_leaves, leaf) &&
            csg_array_push(&builder->quadric_rounding, extent->rounding) &&
            (alone || csg_index_add_quadric(&builder->index, quadric, face->carrier));
@@ -305,7 +305,8 @@ static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
         carriers->num_shared++;
     else if (!add_quadric(builder, leaf, &extent, alone, face))
         return false;
-    carriers->sheets[leaf] = carrier_sheet(shape, &carriers->quadrics[face->carrier]);
+    carriers->sheets[leaf] = carrier_sheet(
+        shape, csg_carrier_quadric(builder->scene, carriers, face->carrier));
     return true;
 }
 
@@ -477,7 +478,6 @@ void csg_carriers_destroy(struct csg_carriers *carriers)
     if (!carriers)
         return;
     free(carriers->planes);
-    free(carriers->quadrics);
     free(carriers->quadric_boxes);
     free(carriers->quadric_leaves);
     free(carriers->face_begin);

@@ -22,12 +22,11 @@ struct csg_face {
 
 struct csg_carriers {
     struct csg_plane *planes;
-    struct csg_quadric *quadrics;
     size_t num_planes, num_quadrics;
-    size_t planes_capacity, quadrics_capacity;
+    size_t planes_capacity;
     struct csg_box *quadric_boxes; /* of what can be seen of them, world space */
     size_t quadric_boxes_capacity, num_quadric_boxes;
-    uint32_t *quadric_leaves; /* from which leaf each quadric is */
+    uint32_t *quadric_leaves; /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity, num_quadric_leaves;
     size_t num_shared; /* faces that found an earlier face's carrier */
 
@@ -38,6 +37,14 @@ struct csg_carriers {
 };
 
 #define CSG_NO_CARRIER UINT32_MAX
+
+/* The quadric of a carrier; the scene's leaves are those that its carriers were made from. */
+static inline const struct csg_quadric *csg_carrier_quadric(const struct csgcast_scene *scene,
+                                                            const struct csg_carriers *carriers,
+                                                            uint32_t carrier)
+{
+    return &scene->leaves[carriers->quadric_leaves[carrier]].shape.quadric;
+}
 
 /*
  * Two faces coincide when, over the later leaf's bounds, they are nowhere further apart than both

@@ -10,8 +10,8 @@
 
 struct csg_leaf {
     struct csg_shape shape; /* in world space */
-    enum csg_kind kind;
     struct csg_box box;     /* in world space; of csg_scene_finish, for csg_leaf_box */
+    enum csg_kind kind;
     bool is_empty;          /* an edit left nothing of it: shape means nothing */
     bool is_hole;           /* taken away within its own node: its faces are not cut faces */
     float color[4];         /* r g b a as the outermost valid color() says; r < 0: none */

@@ -127,8 +127,7 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
         return;
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
-    note(sharp, CSG_FINE_CURVATURE, curvature(&scene->carriers->quadrics[face.carrier], size),
-         leaf);
+    note(sharp, CSG_FINE_CURVATURE, curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size), leaf);
 }
 
 static int compare(const void *a, const void *b)
@@ -224,7 +223,8 @@ static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scen
         !(box_difference(&box, &other) < near))
         return;
     const double apart =
-        deviation(&scene->carriers->quadrics[a->carrier], &scene->leaves[b->leaf].shape);
+        deviation(csg_carrier_quadric(scene, scene->carriers, a->carrier),
+                                   &scene->leaves[b->leaf].shape);
     if (apart < near)
         note(sharp, CSG_FINE_GAP, apart, b->leaf);
 }

@@ -40,7 +40,8 @@ static struct span quadric_span(const struct csgcast_scene *scene, uint32_t leaf
                                 const struct csg_box *box)
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric = &scene->carriers->quadrics[face.carrier];
+    const struct csg_quadric *quadric =
+        csg_carrier_quadric(scene, scene->carriers, face.carrier);
     const struct csg_vec3 center = center_of(box), half = half_of(box);
     const struct csg_vec3 p = csg_map_point(&quadric->to_canon, center);
     const double value = csg_quadric_value(quadric, center);
@@ -66,7 +67,8 @@ static bool is_apart(const struct csg_box *a, const struct csg_box *b)
 static bool is_on_sheet(const struct csgcast_scene *scene, uint32_t leaf, const struct csg_box *box)
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric = &scene->carriers->quadrics[face.carrier];
+    const struct csg_quadric *quadric =
+        csg_carrier_quadric(scene, scene->carriers, face.carrier);
     const int sheet = scene->carriers->sheets[leaf];
     return !scene->leaves[leaf].shape.convex ||
            sheet * csg_map_point(&quadric->to_canon, center_of(box)).z >= 0;

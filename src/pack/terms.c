@@ -110,7 +110,8 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(&frame->screen, frame->at, &carriers->quadrics[face.carrier], face.flipped,
+    csg_screen_quadric(&frame->screen, frame->at,
+                       csg_carrier_quadric(scene, carriers, face.carrier), face.flipped,
                        scene->leaves[leaf].shape.convex, carriers->sheets[leaf], center, radius,
                        texels);
     if (base)
@@ -141,7 +142,8 @@ static void put_quadric(const struct csg_terms *terms, const struct csg_node *no
                         double (*texels)[4], float (*normals)[4], float block)
 {
     const struct csg_face face = terms->scene->carriers->quadric_faces[node->leaf];
-    const struct csg_quadric *quadric = &terms->scene->carriers->quadrics[face.carrier];
+    const struct csg_quadric *quadric =
+        csg_carrier_quadric(terms->scene, terms->scene->carriers, face.carrier);
     const bool textbook = terms->params->textbook;
     float normal[CSG_NORMAL_TERMS][3], base[3] = {0, 0, 0};
     if (textbook) {

@@ -108,7 +108,8 @@ struct csg_leaf_crossings csg_cross_leaf(const struct csgcast_scene *scene, uint
     double t[2] = {0, 0};
     bool inside;
     const int num =
-        csg_cross_quadric(&scene->carriers->quadrics[face.carrier], ray, t, &inside);
+        csg_cross_quadric(csg_carrier_quadric(scene, scene->carriers, face.carrier), ray, t,
+                          &inside);
     inside = inside != face.flipped;
     double from = -INFINITY;
     for (int i = 0; i <= num; i++, inside = !inside) {
@@ -142,7 +143,7 @@ struct csg_vec3 csg_leaf_normal(const struct csgcast_scene *scene, uint32_t leaf
         return normal;
     double roots[2];
     bool before;
-    const struct csg_quadric *quadric = &carriers->quadrics[face.carrier];
+    const struct csg_quadric *quadric = csg_carrier_quadric(scene, carriers, face.carrier);
     const int num = csg_cross_quadric(quadric, ray, roots, &before);
     for (int i = 0; i < num; i++)
         if (fabs(roots[i] - t) < nearest) {

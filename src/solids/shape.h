@@ -39,13 +39,13 @@ struct csg_shape {
     struct csg_plane *planes;    /* owned, malloc'ed; NULL when there are none */
     size_t num_planes;
     bool has_quadric;
-    struct csg_quadric quadric;
+    bool facetted; /* OpenSCAD's facets instead of the true quadric */
     /* The set is convex: a line meets it in one interval. Always true without a quadric. With one,
      * f must have at most one negative eigenvalue (as a 4x4 form), and a solid on one sheet of a
      * double cone or two-sheeted hyperboloid says which: sheet = sign of canonical p.z there. */
     bool convex;
-    int sheet;              /* -1, 0 (there is only one), 1 */
-    bool facetted;          /* OpenSCAD's facets instead of the true quadric */
+    int sheet; /* -1, 0 (there is only one), 1 */
+    struct csg_quadric quadric;
     struct csg_box bounds;  /* of the solid, in the space of `frame`; infinite if unbounded */
     struct csg_map frame;   /* from the space of `bounds` to the space of the shape */
     struct csg_box written; /* box of OpenSCAD's vertices in the same space (frames the camera);
