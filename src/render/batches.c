@@ -29,6 +29,7 @@ struct chooser {
     GLuint cells[CSG_NUM_FEATURE_SETS];
     GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
+    int common_chain; /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
     uint32_t prepared; /* the object whose cells' program is there, + 1 */
     size_t max_handed; /* flat inputs that the driver allows */
@@ -245,7 +246,28 @@ static int find_chain(const struct chooser *chooser, const struct csg_draw *draw
     const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
                                      (size_t)draw->instance.records[1]);
     const size_t size = chain < 0 ? 0 : csg_chain_size(&csg_chains[chain]);
+    if (chain >= 0 && chooser->common_chain >= 0)
+        return chooser->common_chain;
     return size <= chooser->max_handed ? chain : -1;
+}
+
+/* One picture does not repay what several chains take to compile or to read from the driver's
+ * cache: the smallest one that covers all tiles draws them. */
+static int find_common_chain(const struct chooser *chooser)
+{
+    const struct csg_frame *frame = &chooser->renderer->frame;
+    struct csg_chain all = {0};
+    for (size_t i = 0; i < frame->draws.num && chooser->request->shared; i++) {
+        const int chain = find_chain(chooser, &frame->draws.data[i]);
+        if (chain < 0)
+            continue;
+        all.slots = csg_chains[chain].slots > all.slots ? csg_chains[chain].slots : all.slots;
+        all.quadrics |= csg_chains[chain].quadrics;
+    }
+    for (int i = 0; i < CSG_NUM_CHAINS && all.slots > 0; i++)
+        if (all.slots <= csg_chains[i].slots && all.quadrics == csg_chains[i].quadrics)
+            return csg_chain_size(&csg_chains[i]) <= chooser->max_handed ? i : -1;
+    return -1;
 }
 
 static GLuint compile_chain(struct chooser *chooser, int chain)
@@ -546,6 +568,8 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
             .direct = batches->direct,
             .max_handed = max_handed(renderer->gl),
             .max_point = max_point(renderer->gl)};
+        chooser->common_chain = -1;
+        chooser->common_chain = find_common_chain(chooser);
         ok = fill(batches, chooser, choices);
     }
     free(choices);
