@@ -1,19 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * projection(cut): of OpenSCAD's facets, as unions of convex sets. The shadow of a convex set, and
- * its section with z = 0, are the hulls of points that are easily found.
+ * its section with z = 0, are the hulls of points that are easily found. The shadow of a surface is
+ * that of its triangles.
  */
 #include <stdlib.h>
 
+#include "mesh/surface.h"
+#include "plane/outline.h"
 #include "plane/wrap.h"
-#include "polyhedra/evaluate.h"
 #include "scene/figures.h"
-#include "scene/parts.h"
+#include "scene/sets.h"
 #include "scene/transforms.h"
 
 /* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
 #define ON_PLANE 1e-12
 #define WIDER 1e-9
+
+/* Shadows of surfaces of more triangles are refused. */
+enum { max_triangles = 20000 };
 
 struct projection {
     struct csg_walk *walk;
@@ -21,7 +26,8 @@ struct projection {
     struct csg_drawing *drawing;
     double rounding;
     bool facetted, cut;
-    bool has_area; /* of what has been drawn */
+    bool has_area;      /* of what has been drawn */
+    bool has_triangles; /* of surfaces: many figures that lie side by side */
 };
 
 static bool add_point(const struct projection *projection, struct csg_flat_points *to,
@@ -89,8 +95,40 @@ static bool add_sets(struct projection *projection, const struct csg_clusters *c
     return ok || csg_log_memory(&projection->walk->builder->report->log);
 }
 
-/* What is subtracted takes its boundary with it: a pocket's floor at z = 0 is no part of the section.
- * So its planes there move out a little, by more than evaluation takes for rounding. */
+/* Those that look up cover all of it, unless there are gaps. */
+static bool add_triangles(struct projection *projection, const struct csg_surface *surface)
+{
+    bool ok = true;
+    projection->has_triangles = true;
+    for (size_t i = 0; i < surface->triangles.num && ok; i++) {
+        const struct csg_triangle *triangle = &surface->triangles.data[i];
+        struct csg_vec3 corners[3];
+        for (int k = 0; k < 3; k++)
+            corners[k] = surface->points.data[triangle->points[k]];
+        if (surface->open || surface->planes.data[triangle->plane].normal.z > 0)
+            ok = add_set(projection, corners, 3);
+    }
+    return ok || csg_log_memory(&projection->walk->builder->report->log);
+}
+
+static bool add_surfaces(struct projection *projection, const struct csg_sets *sets)
+{
+    bool ok = true;
+    for (size_t i = 0; i < sets->surfaces.num && ok; i++)
+        ok = add_triangles(projection, sets->surfaces.data[i].surface);
+    return ok;
+}
+
+static size_t count_triangles(const struct csg_part *part)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < part->shapes.num; i++)
+        num += part->shapes.data[i].surface ? part->shapes.data[i].surface->triangles.num : 0;
+    return num;
+}
+
+/* What is subtracted takes its boundary with it: a pocket's floor at z = 0 is no part of the
+ * section. So its planes there move out a little, by more than evaluation takes for rounding. */
 static void widen_cuts(struct csg_part *part)
 {
     for (size_t i = 0; i < part->tree.num; i++) {
@@ -109,30 +147,52 @@ static void widen_cuts(struct csg_part *part)
     }
 }
 
+static enum csg_hull_result evaluate(const struct projection *projection, struct csg_part *part,
+                                     struct csg_sets *sets)
+{
+    if (part->is_too_large)
+        return CSG_HULL_FLAT;
+    if (projection->cut)
+        widen_cuts(part);
+    else if (csg_part_is_union(part) && count_triangles(part) <= max_triangles &&
+             !csg_sets_take_surfaces(sets, part))
+        return CSG_HULL_NO_MEMORY;
+    return csg_part_evaluate(part, false, &sets->convex);
+}
+
 static bool project(struct projection *projection, uint32_t node, struct csg_part *part)
 {
     struct csg_walk *walk = projection->walk;
-    struct csg_clusters clusters = {0};
+    struct csg_sets sets = {0};
     for (size_t i = 0; i < part->shapes.num; i++) {
         projection->rounding = fmax(projection->rounding, part->shapes.data[i].rounding);
         projection->facetted |= part->shapes.data[i].facetted;
     }
     projection->rounding *= csg_space_stretch(projection->space);
-    if (projection->cut)
-        widen_cuts(part);
-    const enum csg_hull_result result =
-        part->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(part, false, &clusters);
+    const enum csg_hull_result result = evaluate(projection, part, &sets);
     bool ok = true;
     if (result == CSG_HULL_DONE)
-        ok = add_sets(projection, &clusters);
+        ok = add_sets(projection, &sets.convex) && add_surfaces(projection, &sets);
     else if (result == CSG_HULL_NO_MEMORY)
         ok = csg_log_memory(&walk->builder->report->log);
     else
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
-    if (projection->cut && !projection->has_area && clusters.ends.num > 0)
+    if (projection->cut && !projection->has_area && sets.convex.ends.num > 0)
         csg_walk_warning(walk, node, "nothing of what is in it is at z = 0; the section is empty");
-    csg_clusters_finish(&clusters);
+    csg_sets_finish(&sets);
     return ok;
+}
+
+/* One outline of all; as written, that is Clipper's. */
+static bool unite(const struct projection *projection, uint32_t node, uint32_t draw)
+{
+    struct csg_walk *walk = projection->walk;
+    if (!projection->has_triangles || walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN)
+        return true;
+    const enum csg_sweep_result result = csg_drawing_evaluate(projection->drawing, draw);
+    if (result == CSG_SWEEP_TOO_LARGE)
+        csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
+    return result != CSG_SWEEP_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
 }
 
 bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -150,5 +210,5 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
              project(&projection, node, &part);
     csg_drawing_close(drawing, draw);
     csg_part_finish(&part);
-    return ok;
+    return ok && unite(&projection, node, draw);
 }

@@ -39,8 +39,7 @@ static bool report(struct csg_walk *walk, uint32_t node, enum csg_hull_result re
     return true;
 }
 
-/* Moves the part's surfaces over; nothing is left of them there. */
-static bool take_surfaces(struct csg_sets *sets, struct csg_part *part)
+bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part)
 {
     bool ok = true;
     for (size_t i = 0; i < part->tree.num && ok; i++) {
@@ -61,7 +60,7 @@ static enum csg_hull_result evaluate(struct csg_sets *sets, struct csg_part *par
 {
     if (part->is_too_large)
         return CSG_HULL_FLAT;
-    if (wanted != CSG_WANT_POINTS && csg_part_is_union(part) && !take_surfaces(sets, part))
+    if (wanted != CSG_WANT_POINTS && csg_part_is_union(part) && !csg_sets_take_surfaces(sets, part))
         return CSG_HULL_NO_MEMORY;
     return csg_part_evaluate(part, wanted == CSG_WANT_POINTS, &sets->convex);
 }

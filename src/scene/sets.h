@@ -23,6 +23,9 @@ bool csg_sets_read(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_
                    bool in_boolean, enum csg_part_wanted wanted, struct csg_sets *sets,
                    bool *is_there);
 
+/* Moves a union's surfaces over; nothing is left of them there. false: out of memory. */
+bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part);
+
 /* Adds the hull of points that come from sets; one without volume adds nothing. */
 bool csg_sets_add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets *sets,
                        const struct csg_points *points, struct csg_part *part);
