@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "csg/side.h"
+#include "mesh/surface.h"
 
 /* Below this many operands one object in tiles is drawn as soon. */
 #define MIN_OPERANDS 32
@@ -20,6 +21,9 @@
 /* ... and how many leaves may be looked at for it. */
 #define MAX_LOOKS 2e7
 
+/* A surface is projected for each part that it cuts: so many triangles of it take as long as a node. */
+#define TRIANGLES_A_NODE 16
+
 /* Unions within the operands of unions are distributed in turn. */
 #define MAX_PASSES 8
 
@@ -33,7 +37,8 @@ struct distributor {
     const struct csg_object *object;
     uint32_t wide;  /* node of the object's union that is distributed */
     double margin;
-    double overlap; /* of the parts that are cut: half their boxes' areas */
+    double overlap;  /* of the parts that are cut: half their boxes' areas */
+    size_t surfaces; /* in them: nodes' worth of triangles */
     struct csg_box *boxes; /* of the nodes of from */
     uint8_t *known;        /* by leaf */
     struct csg_tree part, to;
@@ -133,6 +138,19 @@ static bool fold(struct distributor *at, uint32_t operand, const struct csg_box 
     return csg_tree_simplify(&at->part, at->known);
 }
 
+/* What the surfaces in a part that is cut cost. */
+static size_t weigh_surfaces(const struct distributor *at)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < at->part.num; i++) {
+        const struct csg_node *node = &at->part.data[i];
+        const struct csg_surface *surface =
+            node->op == CSG_LEAF ? at->scene->leaves[node->leaf].shape.surface : NULL;
+        num += surface ? surface->triangles.num / TRIANGLES_A_NODE : 0;
+    }
+    return num;
+}
+
 static bool add_part(struct distributor *at, uint32_t operand, uint32_t minuend)
 {
     const struct csg_box box = csg_box_intersection(&at->boxes[operand], &at->object->box);
@@ -146,8 +164,10 @@ static bool add_part(struct distributor *at, uint32_t operand, uint32_t minuend)
         return true;
     if (at->part.data[0].op != CSG_LEAF)
         at->part.data[0].leaf = minuend;
-    if (at->part.num > at->from->data[operand].end - operand)
+    if (at->part.num > at->from->data[operand].end - operand) {
         at->overlap += half_area(&box);
+        at->surfaces += weigh_surfaces(at);
+    }
     return append(&at->to, at->part.data, 0, (uint32_t)at->part.num);
 }
 
@@ -169,10 +189,11 @@ static bool add_parts(struct distributor *at, size_t num)
     bool fits = (double)num * cuts < MAX_LOOKS;
     at->margin = MARGIN * csg_length(csg_sub(object->box.hi, object->box.lo));
     at->overlap = 0;
+    at->surfaces = 0;
     for (uint32_t i = at->wide + 1; i < nodes[at->wide].end && fits; i = nodes[i].end) {
         if (!add_part(at, i, number))
             return false;
-        fits = at->to.num <= most;
+        fits = at->to.num + at->surfaces <= most;
     }
     if (fits && pays(at, at->to.num - begin))
         return true;
