@@ -159,19 +159,22 @@ static void put_quadric(const struct csg_terms *terms, const struct csg_node *no
                    face.flipped != node->negated ? -1 : 1, i == 0 ? -block : base[i - 1]);
 }
 
-/* A solid that no ray meets, with as many faces as the leaf has. */
-static void put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[4])
+/* A solid that no ray meets, with as many faces as the leaf has, half of them exits: what has planes in
+ * pairs has no fewer (csg_shape_is_paired). Returns the number of entries. */
+static uint32_t put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[4])
 {
+    const uint32_t num_entries = num_planes - num_planes / 2;
     for (uint32_t i = 0; i < num_planes; i++) {
         texels[i][0] = CSG_KEY_MAX;
         texels[i][1] = texels[i][2] = 0;
-        texels[i][3] = (float)(i + 1);
+        texels[i][3] = i < num_entries ? i + 1.0 : -(i + 1.0);
     }
     if (!has_quadric)
-        return;
+        return num_entries;
     memset(texels + num_planes, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
     texels[num_planes][3] = CSG_QUADRIC_BETWEEN;
     texels[num_planes + 1][3] = -1; /* the constant of the silhouette conic */
+    return num_entries;
 }
 
 static bool add_view(struct csg_terms *terms, const struct csg_node *node,
@@ -229,7 +232,7 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     if (shape->surface && !add_view(terms, node, &leaf))
         return false;
     if (node->spare)
-        put_nothing(num_planes, shape->has_quadric, texels);
+        leaf.num_entries = put_nothing(num_planes, shape->has_quadric, texels);
     else if (!shape->surface)
         leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
     leaf.num_exits = num_planes - leaf.num_entries;
