@@ -21,6 +21,7 @@
 #define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
 #define CSG_RECORD_BOUND 256  /* no leaf: nothing that follows matters before the key in the header */
 #define CSG_RECORD_MORE 512  /* in a cell: the next record holds more faces of the same leaf */
+#define CSG_RECORD_BANDS 1024 /* with CSG_RECORD_SURFACE: no triangles but bands, see below */
 
 /*
  * A surface's record has lists of faces by cell, a square of pixels; all places count from the header.
@@ -36,6 +37,25 @@
  */
 #define CSG_SURFACE_CELLS 3 /* place of the first */
 #define CSG_SURFACE_EDGES 3 /* of a face that cuts */
+
+/*
+ * The record of a stack of rings (src/csg/stack.h) has the faces that rays of its tile may meet:
+ *     header       texels that follow, 0, flags, 0
+ *     place        what conics count pixels from, from the reference pixel
+ *     start        whether rays start inside; most crossings; flat bands; all bands
+ *     flat bands   head, three texels of conics, a plane
+ *     other bands  head, three texels of conics, two planes, a quadric (of 3 texels, or 5 in programs
+ *                  with CSG_HAS_STIFF)
+ * A band's head: CSG_BAND_..., attribute block / 4, face, 1 for the inner side of a ring. Its conics
+ * are negative where the ray passes inside of a circle when it meets the circle's plane: those of a
+ * flat band's rims, or those where another band begins and ends, of the first and the second plane.
+ */
+#define CSG_BAND_WITHIN 1 /* rays start between its planes, and leave by either */
+#define CSG_BAND_INSIDE 2 /* ... inside of the quadric */
+#define CSG_BAND_PLACE 1  /* of the texels */
+#define CSG_BAND_START 2
+#define CSG_BAND_FIRST 3
+#define CSG_BAND_TERMS 4 /* place of a band's planes from its head */
 
 /* Operands of different nesting that wait at once. The deepest operand of a node comes first, so
  * this holds trees of 2^32 leaves. */

@@ -33,6 +33,13 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_re
 /* Where, at k or later, the literal whose record is at p can be true at the soonest; moves p on. */
 csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negated)
 {
+#ifdef CSG_HAS_BANDS
+    if ((int(head.z) & CSG_RECORD_BANDS) != 0) {
+        csg_real next = csg_bands_next(p, d, k, negated);
+        p += 1 + int(head.x);
+        return next;
+    }
+#endif
 #ifdef CSG_HAS_SURFACE
     if ((int(head.z) & CSG_RECORD_SURFACE) != 0) {
         csg_real next = csg_surface_next(p, d, k, negated);
@@ -53,6 +60,13 @@ csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negate
 /* The leaf whose record is at p, just before and after k, and its face there; moves p on. */
 bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, out int face)
 {
+#ifdef CSG_HAS_BANDS
+    if ((int(head.z) & CSG_RECORD_BANDS) != 0) {
+        bvec2 at = csg_bands_around(p, d, k, face);
+        p += 1 + int(head.x);
+        return at;
+    }
+#endif
 #ifdef CSG_HAS_SURFACE
     if ((int(head.z) & CSG_RECORD_SURFACE) != 0) {
         bvec2 at = csg_surface_around(p, d, k, face);
@@ -144,9 +158,18 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
             int face;
             bool negated = (flags & CSG_RECORD_NEGATED) != 0;
             bvec2 around = csg_record_around(p, head, d, k, face);
-            int leaf = int(csg_texel(int(head.w) * 4 + CSG_ATTRIBUTE_LEAF).x);
+            int block = int(head.w);
+            bool taken = negated;
+#ifdef CSG_HAS_BANDS
+            if ((flags & CSG_RECORD_BANDS) != 0) {
+                vec4 band = csg_texel(record + face);
+                block = csg_band_block(band);
+                taken = negated != (band.w != 0.0);
+            }
+#endif
+            int leaf = int(csg_texel(block * 4 + CSG_ATTRIBUTE_LEAF).x);
             value = csg_literal(negated != dual ? not(around) : around,
-                                leaf + (negated ? CSG_RANK_NEGATED : 0), ivec2(record, face));
+                                leaf + (taken ? CSG_RANK_NEGATED : 0), ivec2(record, face));
         }
         if ((flags & CSG_RECORD_PUSH) != 0)
             stack[top++] = result;

@@ -38,6 +38,13 @@ void main()
     if ((int(head.z) & CSG_RECORD_SURFACE) != 0)
         normal = place.x + place.y;
 #endif
+#ifdef CSG_HAS_BANDS
+    if ((int(head.z) & CSG_RECORD_BANDS) != 0) {
+        vec4 band = csg_texel(place.x + place.y);
+        plane = band.z != 0.0;
+        normal = csg_band_normal(band);
+    }
+#endif
 #endif
     gl_FragDepth = csg_depth(k) - csg_screen_place.z;
 #ifdef CSG_DOUBLE

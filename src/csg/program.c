@@ -71,6 +71,8 @@ static bool expand(struct compiler *compiler, struct task task)
 
 uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node)
 {
+    if (node->leaf >= scene->num_leaves)
+        return (node->negated ? CSG_RECORD_NEGATED : 0) | CSG_RECORD_SURFACE | CSG_RECORD_BANDS;
     const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
     return (node->negated ? CSG_RECORD_NEGATED : 0) |
            (shape->surface ? CSG_RECORD_SURFACE : 0) |

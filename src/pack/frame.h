@@ -36,6 +36,7 @@ struct csg_draw {
     bool precise;         /* drawn in double: the records hold low parts */
     bool surface;         /* some record is that of a surface of triangles */
     bool surface_alone;   /* there is no other, and the eye is outside of it */
+    bool bands;           /* some record is that of a stack of rings */
     bool walk;            /* in cells: records begin with CSG_WALK_HEADER */
     bool may_walk;        /* it may be in cells in another frame */
     bool nested, bunched; /* walk: see csg_cells */

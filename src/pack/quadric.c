@@ -120,6 +120,9 @@ static double silhouette(const struct pencil *pencil, int i, int j)
     return sum;
 }
 
+/* Which coordinates a conic's terms are the products of: 1, x, y. */
+static const int conic_terms[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+
 /* The quadratic in k, with conics as {1, x, y, xx, xy, yy} around the leaf's pixel. */
 struct quadratic {
     double a, b[3], c[6], s[6];
@@ -127,7 +130,6 @@ struct quadratic {
 
 static struct quadratic quadratic_of(const struct pencil *pencil, double key_span)
 {
-    static const int index[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
     struct quadratic f = {.a = form(pencil->q, pencil->w, pencil->w)};
     for (int i = 0; i < 3; i++)
         f.b[i] = form(pencil->q, pencil->w, pencil->p[i]);
@@ -138,7 +140,7 @@ static struct quadratic quadratic_of(const struct pencil *pencil, double key_spa
     if (degenerate) /* one crossing goes to infinity; c's sign decides what is inside */
         f.a = VANISHING_A * smallest;
     for (int n = 0; n < 6; n++) {
-        const int i = index[n][0], j = index[n][1];
+        const int i = conic_terms[n][0], j = conic_terms[n][1];
         const double twice = i == j ? 1 : 2;
         f.c[n] = twice * form(pencil->q, pencil->p[i], pencil->p[j]);
         f.s[n] =
@@ -368,6 +370,22 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
         texels[3][3] = clamped(1 / (scale * f.a));
     }
     texels[0][3] = code;
+}
+
+void csg_screen_section(const struct csg_screen *screen, struct csg_pixel at,
+                        const struct csg_quadric *quadric, bool flipped, const double plane[4],
+                        double conic[6])
+{
+    struct pencil pencil = pencil_at(screen, at, &quadric->to_canon);
+    diagonalise(&pencil, quadric);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            pencil.p[i][j] += plane[i] * pencil.w[j];
+    for (int n = 0; n < 6; n++) {
+        const int i = conic_terms[n][0], j = conic_terms[n][1];
+        const double twice = i == j ? 1 : 2;
+        conic[n] = (flipped ? -twice : twice) * form(pencil.q, pencil.p[i], pencil.p[j]);
+    }
 }
 
 /* The middle of the two crossings. Where that is far away, the leaf's own, if it is before the eye.

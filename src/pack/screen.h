@@ -81,6 +81,12 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
                         struct csg_vec3 center, double radius,
                         double texels[CSG_QUADRIC_TEXELS][4]);
 
+/* The quadric's f where rays cross a plane, texel of csg_screen_plane, but for a factor: a conic of
+ * the pixel, counted from at (1, x, y, xx, xy, yy), negative inside. */
+void csg_screen_section(const struct csg_screen *screen, struct csg_pixel at,
+                        const struct csg_quadric *quadric, bool flipped, const double plane[4],
+                        double conic[6]);
+
 /* An affine term of the pixel that is near the keys of a quadric's surface where its leaf is, for
  * keys written relative to it; texels: of csg_screen_quadric. */
 void csg_screen_base(const struct csg_screen *screen, const double texels[CSG_QUADRIC_TEXELS][4],

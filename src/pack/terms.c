@@ -10,8 +10,9 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
                     const struct csgcast_scene *scene, const struct csg_frame_params *params)
 {
     *terms = (struct csg_terms){.frame = frame, .scene = scene, .params = params};
-    terms->index = malloc((scene->num_leaves + 1) * sizeof *terms->index);
-    terms->known = malloc(scene->num_leaves + 1);
+    const size_t room = csg_stacks_room(scene->num_leaves);
+    terms->index = malloc(room * sizeof *terms->index);
+    terms->known = malloc(room);
     return terms->index && terms->known;
 }
 
@@ -25,6 +26,8 @@ static void drop_views(struct csg_terms *terms)
 void csg_terms_finish(struct csg_terms *terms)
 {
     drop_views(terms);
+    csg_stacks_finish(&terms->stacks);
+    csg_bands_finish(&terms->bands);
     free(terms->views.data);
     free(terms->leaves.data);
     free(terms->texels.data);
@@ -40,6 +43,8 @@ void csg_terms_take(struct csg_terms *to, struct csg_terms *from)
     memset(&from->leaves, 0, sizeof from->leaves);
     memset(&from->texels, 0, sizeof from->texels);
     memset(&from->views, 0, sizeof from->views);
+    memset(&from->stacks, 0, sizeof from->stacks);
+    memset(&from->bands, 0, sizeof from->bands);
 }
 
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
@@ -246,6 +251,19 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     return csg_array_push(&terms->leaves, leaf);
 }
 
+/* A leaf of its own for each stack. */
+static bool add_stacks(struct csg_terms *terms, const struct csg_object *object)
+{
+    bool ok = csg_stacks_find(&terms->stacks, terms->scene, object);
+    for (size_t i = 0; i < terms->stacks.list.num && ok; i++) {
+        terms->index[terms->scene->num_leaves + i] = (uint32_t)terms->leaves.num;
+        ok = csg_array_push(&terms->leaves, ((struct csg_leaf_terms){
+                                                .flags = CSG_RECORD_SURFACE | CSG_RECORD_BANDS,
+                                                .carrier = CSG_NO_CARRIER}));
+    }
+    return ok && csg_bands_fill(&terms->bands, terms, &terms->stacks);
+}
+
 static bool fill(struct csg_terms *terms, const struct csg_object *object,
                  const struct csg_rect *rect)
 {
@@ -257,7 +275,7 @@ static bool fill(struct csg_terms *terms, const struct csg_object *object,
     for (uint32_t i = object->begin; i < object->end; i++)
         if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i], rect))
             return false;
-    return true;
+    return terms->params->textbook || add_stacks(terms, object);
 }
 
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,

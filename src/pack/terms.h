@@ -4,13 +4,14 @@
 
 /* The leaves of one object as this frame's shaders see them. */
 
+#include "pack/bands.h"
 #include "pack/frame.h"
 #include "pack/surface.h"
 
 struct csg_leaf_terms {
     size_t texels; /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
-    uint32_t flags;    /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC, _GAP of the leaf */
+    uint32_t flags;    /* CSG_RECORD_NEGATED, _SURFACE, _BANDS, _QUADRIC, _GAP of the leaf */
     uint32_t carrier;  /* of its quadric, CSG_NO_CARRIER: none */
     uint32_t view;     /* of a surface: in csg_terms.views */
     size_t attributes; /* attribute block / 4, in the frame's texels */
@@ -24,7 +25,9 @@ struct csg_terms {
     CSG_ARRAY(struct csg_leaf_terms) leaves;  /* of the object at hand */
     CSG_ARRAY(double) texels;                 /* four numbers each */
     CSG_ARRAY(struct csg_surface_view) views; /* of its leaves that are surfaces */
-    uint32_t *index;         /* scene leaf -> leaves; valid for the object's leaves */
+    struct csg_stacks stacks; /* of the object, for the tiles; they come last among its leaves */
+    struct csg_bands bands;
+    uint32_t *index;         /* scene leaf -> leaves; valid for the object's leaves, and stacks */
     uint8_t *known;          /* scene leaf -> enum csg_known, for the tiles to fill */
     bool translucent, stiff; /* of any of the object's leaves */
     bool precise;            /* records hold low parts too, for programs in double */

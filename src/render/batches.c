@@ -176,7 +176,7 @@ static bool can_be_straight(struct chooser *chooser, const struct csg_structure 
 static int view_features(const struct csg_draw *draw)
 {
     return (draw->stiff ? CSG_FEATURE_STIFF : 0) | (draw->precise ? CSG_FEATURE_DOUBLE : 0) |
-           (draw->surface ? CSG_FEATURE_SURFACE : 0);
+           (draw->surface ? CSG_FEATURE_SURFACE : 0) | (draw->bands ? CSG_FEATURE_BANDS : 0);
 }
 
 static enum csg_resolver choose_resolver(struct chooser *chooser,

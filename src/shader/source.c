@@ -177,6 +177,8 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         csg_text_add(fragment, "#define CSG_HAS_GAP\n");
     if (features & CSG_FEATURE_SURFACE)
         csg_text_add(fragment, "#define CSG_HAS_SURFACE\n");
+    if (features & CSG_FEATURE_BANDS)
+        csg_text_add(fragment, "#define CSG_HAS_BANDS\n");
     if (features & CSG_FEATURE_NESTED)
         csg_text_add(fragment, "#define CSG_HAS_NESTED\n");
     if (features & CSG_FEATURE_STIFF)
@@ -197,6 +199,8 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         add_file(fragment, "csg/turns.glsl");
     if (features & CSG_FEATURE_SURFACE)
         add_file(fragment, "solids/surface.glsl");
+    if (features & CSG_FEATURE_BANDS)
+        add_file(fragment, "solids/bands.glsl");
     add_file(fragment, "csg/change.glsl");
     if (resolver == CSG_RESOLVER_STRAIGHT || resolver == CSG_RESOLVER_CHAIN)
         add_file(fragment, "csg/normals.glsl");

@@ -39,11 +39,12 @@ enum csg_feature {
     CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
     CSG_FEATURE_NESTED = 32, /* cells: some of their trees are no chains */
     CSG_FEATURE_BUNCHES = 64, /* cells: see src/cells/bunch.h */
-    CSG_NUM_FEATURE_SETS = 128,
+    CSG_FEATURE_BANDS = 128, /* some record is that of a stack of rings */
+    CSG_NUM_FEATURE_SETS = 256,
     /* All of a frame's programs or none: */
-    CSG_FEATURE_TEXTBOOK = 128, /* crossings of textbooks */
-    CSG_FEATURE_DIRECT = 256,  /* colours, instead of what the shading pass reads */
-    CSG_FEATURE_SHARED = 512   /* the same flat inputs, see shaders/common/inputs.glsl */
+    CSG_FEATURE_TEXTBOOK = 256, /* crossings of textbooks */
+    CSG_FEATURE_DIRECT = 512,   /* colours, instead of what the shading pass reads */
+    CSG_FEATURE_SHARED = 1024   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
 
 /* The largest tree for straight-line code: compile time grows by some ms a leaf. */

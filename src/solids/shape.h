@@ -54,6 +54,9 @@ struct csg_shape {
     double rounding;
     /* How far OpenSCAD's facets may be off the surface; 0 where there are none of them. */
     double sagitta;
+    /* Of a frustum that a turned profile is made of (csg/stack.h): its radii at bounds.lo.z and
+     * bounds.hi.z, its axis being z and its planes those two. Others: 0, 0. */
+    double radii[2];
 };
 
 void csg_shape_finish(struct csg_shape *shape);

@@ -42,7 +42,7 @@ static void tile_pane(void *user, size_t i)
     pane->frame.screen = job->terms->frame->screen;
     pane->frame.at = job->terms->frame->at;
     terms.frame = &pane->frame;
-    terms.known = malloc(terms.scene->num_leaves + 1);
+    terms.known = malloc(csg_stacks_room(terms.scene->num_leaves));
     pane->ok = terms.known && csg_tile_area(&terms, job->object, &pane->area, job->draw);
     free(terms.known);
 }

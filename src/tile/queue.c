@@ -38,6 +38,8 @@ static void number_leaves(const struct csg_queued *item)
     for (uint32_t i = item->object->begin; i < item->object->end; i++)
         if (nodes[i].op == CSG_LEAF)
             item->terms.index[nodes[i].leaf] = num++;
+    for (size_t i = 0; i < item->terms.stacks.list.num; i++)
+        item->terms.index[item->terms.scene->num_leaves + i] = num++;
 }
 
 static void tile_chunk(void *user, size_t task)
@@ -45,9 +47,9 @@ static void tile_chunk(void *user, size_t task)
     struct csg_tile_queue *queue = user;
     const size_t begin = CHUNK * task, num = queue->items.num;
     const size_t end = begin + CHUNK < num ? begin + CHUNK : num;
-    const size_t num_leaves = queue->items.data[begin].terms.scene->num_leaves;
-    uint32_t *index = malloc((num_leaves + 1) * sizeof *index);
-    uint8_t *known = malloc(num_leaves + 1);
+    const size_t room = csg_stacks_room(queue->items.data[begin].terms.scene->num_leaves);
+    uint32_t *index = malloc(room * sizeof *index);
+    uint8_t *known = malloc(room);
     for (size_t i = begin; i < end && index && known; i++) {
         struct csg_queued *item = &queue->items.data[i];
         item->terms.frame = &item->part;

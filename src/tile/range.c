@@ -48,18 +48,13 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 
-struct quadric_range {
-    struct csg_range first, second; /* of the two crossings */
-    bool never, always;             /* the rays have them */
-    int region;
-};
-
-static struct quadric_range quadric_range(const double *texels, const struct csg_tile_box *tile)
+struct csg_quadric_range csg_range_of_quadric(const double *texels,
+                                             const struct csg_tile_box *tile)
 {
     const int code = (int)texels[3];
     const struct csg_range h = conic(texels, code, tile);
     const double most = sqrt(csg_larger(h.hi, 0)), least = sqrt(csg_larger(h.lo, 0));
-    struct quadric_range range = {.never = h.hi<0, .always = h.lo> 0, .region = code & 3};
+    struct csg_quadric_range range = {.never = h.hi<0, .always = h.lo> 0, .region = code & 3};
     if (code & CSG_QUADRIC_STIFF) {
         range.first = range.second = (struct csg_range){-(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
         range.always = false;
@@ -85,7 +80,7 @@ static void sooner(struct csg_range *a, struct csg_range b)
 }
 
 /* Narrows the leaf by its quadric; false where no ray of the tile is inside. */
-static bool clip_quadric(struct csg_leaf_range *range, const struct quadric_range *quadric)
+static bool clip_quadric(struct csg_leaf_range *range, const struct csg_quadric_range *quadric)
 {
     switch (quadric->region) {
     case CSG_QUADRIC_BETWEEN:
@@ -105,7 +100,7 @@ static bool clip_quadric(struct csg_leaf_range *range, const struct quadric_rang
     }
 }
 
-static bool matters(const struct csg_leaf_range *range, const struct quadric_range *quadric)
+static bool matters(const struct csg_leaf_range *range, const struct csg_quadric_range *quadric)
 {
     if (quadric->region != CSG_QUADRIC_BETWEEN || !quadric->always)
         return !(quadric->region == CSG_QUADRIC_OUTSIDE && quadric->never);
@@ -151,10 +146,10 @@ struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
         else
             sooner(&range.exit, key);
     }
-    struct quadric_range curved = {.region = CSG_QUADRIC_BETWEEN};
+    struct csg_quadric_range curved = {.region = CSG_QUADRIC_BETWEEN};
     const struct csg_leaf_range flat = range;
     if (leaf->flags & CSG_RECORD_QUADRIC) {
-        curved = quadric_range(csg_terms_texel(terms, leaf, num), tile);
+        curved = csg_range_of_quadric(csg_terms_texel(terms, leaf, num), tile);
         if (!clip_quadric(&range, &curved))
             range.exit.hi = -INFINITY;
     }

@@ -33,6 +33,16 @@ static inline double csg_smaller(double a, double b)
 
 struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile);
 
+/* Of a quadric's two crossings; texels as shaders/solids/quadric.glsl reads them. */
+struct csg_quadric_range {
+    struct csg_range first, second;
+    bool never, always; /* the rays have them */
+    int region;
+};
+
+struct csg_quadric_range csg_range_of_quadric(const double *texels,
+                                             const struct csg_tile_box *tile);
+
 /*
  * The leaf's range. takes, where not NULL, gets which of its planes can be its entry or exit
  * somewhere in the tile, and whether its quadric can.

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "pack/surface_record.h"
+#include "tile/bands.h"
 #include "tile/dominate.h"
 #include "tile/scan.h"
 
@@ -15,6 +16,9 @@
  * where a tile is empty. In pixels. */
 #define SURFACE_TILE_SIZE 64
 
+/* A tile that may meet so few bands of stacks is not worth cutting for them. */
+#define SMALL_BANDS 4
+
 /* Keys tried for one at which the object has certainly begun. */
 #define MAX_CANDIDATES 24
 
@@ -22,7 +26,8 @@
 struct task {
     int lo[2], hi[2]; /* pixels [lo, hi) */
     struct csg_tree tree;
-    size_t before[2]; /* leaves that mattered one and two cuts ago */
+    struct csg_band_list bands; /* of stacks, that rays may meet */
+    size_t before[2];           /* leaves that mattered one and two cuts ago */
 };
 
 /* Where so many leaves are left and two cuts, to a quarter, spare less than this share of them, the
@@ -40,6 +45,7 @@ struct tiler {
     CSG_ARRAY(struct csg_leaf_range) known;  /* by leaf of the terms, of the tile at hand */
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
+    CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
     CSG_ARRAY(uint8_t) values; /* by node, see node_value */
     CSG_ARRAY(double) candidates;
@@ -84,6 +90,9 @@ static struct csg_leaf_range leaf_range(const struct tiler *tiler, const struct 
                                         const struct csg_tile_box *box, uint32_t leaf)
 {
     const struct csg_leaf_range nowhere = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, false};
+    const size_t num_leaves = tiler->terms->scene->num_leaves;
+    if (leaf >= num_leaves)
+        return tiler->stacks.data[leaf - num_leaves];
     const struct csg_leaf_terms *terms = csg_terms_of(tiler->terms, leaf);
     if (!tiler->draw->around_eye && !is_in_rect(&terms->rect, task))
         return nowhere;
@@ -242,7 +251,9 @@ static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 static bool reserve(struct tiler *tiler, size_t num)
 {
     tiler->leaves.num = tiler->nodes.num = tiler->contexts.num = tiler->known.num = 0;
+    tiler->stacks.num = 0;
     return csg_array_reserve(&tiler->leaves, num) &&
+           csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
            csg_array_reserve(&tiler->known, tiler->terms->leaves.num) && csg_array_reserve(&tiler->nodes, num) &&
            csg_array_reserve(&tiler->contexts, num);
 }
@@ -296,16 +307,22 @@ static int edge_between(int lo, int hi, int tile)
 static bool cut(struct tiler *tiler, struct task *task)
 {
     struct task other = *task;
+    other.bands = (struct csg_band_list){0};
     const int axis = task->hi[0] - task->lo[0] >= task->hi[1] - task->lo[1] ? 0 : 1;
     const int size = task->hi[axis] - task->lo[axis];
     const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
     const int middle = edge_between(task->lo[axis], task->hi[axis], tile);
-    if (!copy_tree(tiler, &task->tree, &other.tree))
+    if (!copy_tree(tiler, &task->tree, &other.tree) ||
+        !csg_band_list_copy(&task->bands, &other.bands)) {
+        free(other.tree.data);
         return false;
+    }
     task->hi[axis] = other.lo[axis] = middle;
     const bool ok = csg_array_push(&tiler->tasks, other) && csg_array_push(&tiler->tasks, *task);
-    if (ok)
+    if (ok) {
         task->tree = (struct csg_tree){0};
+        task->bands = (struct csg_band_list){0};
+    }
     return ok;
 }
 
@@ -317,6 +334,8 @@ static bool add_record(struct tiler *tiler, size_t i, const struct task *task,
         return csg_terms_add_bound(tiler->terms, tiler->scan.bounds.data[i]);
     if (step->flags & CSG_RECORD_POP)
         return csg_terms_add_record(tiler->terms, step, NULL);
+    if (step->flags & CSG_RECORD_BANDS)
+        return csg_band_list_put(&task->bands, tiler->terms, step, box);
     if (step->flags & CSG_RECORD_SURFACE)
         return csg_surface_add_record(tiler->terms, step, task->lo, task->hi);
     const struct csg_leaf_terms *leaf = csg_terms_of(tiler->terms, step->leaf);
@@ -333,7 +352,7 @@ static bool is_surface_alone(const struct tiler *tiler)
 {
     const struct csg_step *step = tiler->scan.program.data;
     return tiler->scan.program.num == 1 && step->flags & CSG_RECORD_SURFACE &&
-           !(step->flags & CSG_RECORD_NEGATED) &&
+           !(step->flags & (CSG_RECORD_NEGATED | CSG_RECORD_BANDS)) &&
            csg_terms_view(tiler->terms, step->leaf)->turns == 0;
 }
 
@@ -348,7 +367,9 @@ static bool emit(struct tiler *tiler, const struct task *task)
         return false;
     draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
     for (size_t i = 0; i < tiler->scan.program.num; i++) {
-        draw.surface |= (tiler->scan.program.data[i].flags & CSG_RECORD_SURFACE) != 0;
+        const uint32_t flags = tiler->scan.program.data[i].flags;
+        draw.bands |= (flags & CSG_RECORD_BANDS) != 0;
+        draw.surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
         if (!add_record(tiler, i, task, &box))
             return false;
     }
@@ -356,7 +377,7 @@ static bool emit(struct tiler *tiler, const struct task *task)
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
     csg_draw_set_rect(&draw, &frame->screen, &rect);
-    csg_frame_count(frame, &rect, count_leaves(&task->tree));
+    csg_frame_count(frame, &rect, count_leaves(&task->tree) + task->bands.num);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
     return draw.instance.records[0] == draw.instance.records[1] ||
            csg_array_push(&frame->draws, draw);
@@ -373,17 +394,18 @@ static bool is_worth_cutting(const struct tiler *tiler, const struct task *task,
                                          task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
     if (!small_enough)
         return true;
-    return !smallest && !stubborn && num_leaves > SMALL_LEAVES &&
-           tiler->terms->frame->texels.num / 4 < tiler->max_texels;
+    const bool many = task->bands.num > SMALL_BANDS || (!stubborn && num_leaves > SMALL_LEAVES);
+    return !smallest && many && tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
 static bool run(struct tiler *tiler, struct task *task)
 {
     if (!reserve(tiler, task->tree.num))
         return false;
+    const struct csg_tile_box box = tile_box(tiler, task);
+    csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
     fill_ranges(tiler, task, false);
     judge_leaves(tiler, &task->tree);
-    const struct csg_tile_box box = tile_box(tiler, task);
     csg_dominate(tiler->terms, &task->tree, tiler->leaves.data, &box);
     if (!csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
@@ -403,8 +425,11 @@ static bool run(struct tiler *tiler, struct task *task)
 static bool object_tree(struct tiler *tiler, const struct csg_object *object,
                         struct csg_tree *tree)
 {
+    const struct csg_stacks *stacks = &tiler->terms->stacks;
     const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data + object->begin;
     const struct csg_tree part = {(struct csg_node *)nodes, object->end - object->begin, 0};
+    if (stacks->list.num)
+        return copy_tree(tiler, &stacks->tree, tree);
     if (!copy_tree(tiler, &part, tree))
         return false;
     for (size_t i = 0; i < tree->num; i++)
@@ -419,6 +444,7 @@ static bool run_all(struct tiler *tiler)
         struct task task = tiler->tasks.data[--tiler->tasks.num];
         ok = ok && run(tiler, &task);
         drop_tree(tiler, &task.tree);
+        free(task.bands.data);
     }
     return ok;
 }
@@ -430,10 +456,11 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
                           .draw = draw,
                           .max_texels = area->max_texels + terms->frame->texels.num / 4};
     struct task whole = {.lo = {area->lo[0], area->lo[1]}, .hi = {area->hi[0], area->hi[1]}};
-    bool ok = object_tree(&tiler, object, &whole.tree);
-    if (ok && !csg_array_push(&tiler.tasks, whole)) {
+    bool ok = object_tree(&tiler, object, &whole.tree) &&
+              csg_band_list_fill(&whole.bands, terms) && csg_array_push(&tiler.tasks, whole);
+    if (!ok) {
         free(whole.tree.data);
-        ok = false;
+        free(whole.bands.data);
     }
     ok = run_all(&tiler) && ok;
     for (size_t i = 0; i < tiler.spare.num; i++)
@@ -445,6 +472,7 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.known.data);
     free(tiler.nodes.data);
     free(tiler.contexts.data);
+    free(tiler.stacks.data);
     free(tiler.planes.data);
     free(tiler.values.data);
     free(tiler.candidates.data);
