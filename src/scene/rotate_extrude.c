@@ -3,13 +3,18 @@
  * rotate_extrude(angle, start, $fn, $fa, $fs) as OpenSCAD 2021.01 and 2025 write it. The profile is
  * a polygon, with OpenSCAD's facets for circles; the turn is exact.
  */
-#include "plane/revolve.h"
+#include "plane/outline.h"
+#include "plane/revolve_surface.h"
 #include "scene/compounds.h"
 #include "scene/drawings.h"
 #include "solids/facets.h"
 
 /* Turns with more segments are refused in as-written mode. */
 enum { max_segments = 65536 };
+
+/* From so many spans of the profile on its flat segments are drawn as a surface of triangles; each
+ * span would be a ring of as many planes as the turn has segments. */
+#define MIN_SURFACE_SPANS 4
 
 struct revolution {
     struct csg_turn turn;
@@ -47,8 +52,23 @@ static int count_segments(const struct revolution *revolution, const struct csg_
 }
 
 /* A single segment is what lies between its two ends, on their near side. */
+/* Flat segments of a profile with many sides, as one surface; *taken: that is there. */
+static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn,
+                        const struct csg_profile *profile, double rounding, struct csg_part *part,
+                        bool *taken)
+{
+    struct csg_shape shape = {0};
+    const enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
+    bool ok = result != CSG_SWEEP_NO_MEMORY;
+    if (result == CSG_SWEEP_DONE)
+        ok = csg_revolve_surface(&shape, drawing, profile, turn, rounding);
+    *taken = shape.surface != NULL;
+    return ok && (!*taken || csg_part_add(part, &shape, false));
+}
+
 static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
-                    const struct csg_profile *profile, double rounding, struct csg_part *part)
+                    struct csg_drawing *drawing, const struct csg_profile *profile,
+                    double rounding, struct csg_part *part)
 {
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
         csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
@@ -64,7 +84,12 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     if (revolution->turn.facetted && revolution->turn.num == 1 &&
         fabs(revolution->turn.angle) > 180)
         revolution->turn.angle -= copysign(360, revolution->turn.angle);
-    return csg_revolve(part, profile, &revolution->turn, rounding) ||
+    bool taken = false;
+    if (revolution->turn.facetted && walk->depth == 0 &&
+        profile->sweep.spans.num >= MIN_SURFACE_SPANS &&
+        !add_surface(drawing, &revolution->turn, profile, rounding, part, &taken))
+        return csg_log_memory(&walk->builder->report->log);
+    return taken || csg_revolve(part, profile, &revolution->turn, rounding) ||
            csg_log_memory(&walk->builder->report->log);
 }
 
@@ -86,7 +111,7 @@ bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const str
         const double rounding = csg_drawing_rounding(&drawing, 0, (uint32_t)drawing.nodes.num);
         part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
         if (result == CSG_SWEEP_DONE)
-            ok = revolve(walk, node, &revolution, &profile, rounding, part);
+            ok = revolve(walk, node, &revolution, &drawing, &profile, rounding, part);
         else
             ok = result == CSG_SWEEP_TOO_LARGE || csg_log_memory(&walk->builder->report->log);
     }

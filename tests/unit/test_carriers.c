@@ -60,7 +60,7 @@ static size_t collect(const struct csgcast_scene *scene, struct face *faces)
 
 int main(void)
 {
-    const struct csgcast_scene_params params = {.facets = CSGCAST_FACETS_AS_WRITTEN};
+    const struct csgcast_scene_params params = {.facets = CSGCAST_FACETS_EXACT};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
     CHECK(scene, "the scene");
     struct face *faces =

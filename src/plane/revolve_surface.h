@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_PLANE_REVOLVE_SURFACE_H
+#define CSG_PLANE_REVOLVE_SURFACE_H
+
+/* A profile of many corners turned in flat segments, as one solid bounded by OpenSCAD's faces. */
+
+#include "plane/revolve.h"
+
+/* Turns the last figure of the drawing, an outline of csg_drawing_evaluate. shape is zeroed and
+ * stays so where nothing, or too much, would come of it. false: out of memory. */
+bool csg_revolve_surface(struct csg_shape *shape, const struct csg_drawing *drawing,
+                         const struct csg_profile *profile, const struct csg_turn *turn,
+                         double rounding);
+
+#endif
