@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "csg/carrier.h"
+#include "csg/wall.h"
 #include "solids/quadric/eigen.h"
 #include "solids/sample.h"
 
@@ -113,7 +114,8 @@ static double largest(const struct csg_box *box)
     return size;
 }
 
-static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *scene, uint32_t leaf)
+static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *scene, uint32_t leaf,
+                      uint8_t mark)
 {
     const struct csg_shape *shape = &scene->leaves[leaf].shape;
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
@@ -121,10 +123,14 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
     box_edges(shape, edges);
     const struct csg_box place = csg_leaf_box(&scene->leaves[leaf]);
     const double thick = thickness(edges), noise = NOISE * largest(&place);
-    if (thick > noise)
+    if (thick > noise && !(mark & CSG_WALL_RING))
         note(sharp, CSG_FINE_THICKNESS, thick, leaf);
     if (face.carrier == CSG_NO_CARRIER)
         return;
+    if (mark & CSG_WALL_RING) {
+        note(sharp, CSG_FINE_CURVATURE, csg_wall_curvature(shape), leaf);
+        return;
+    }
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
     note(sharp, CSG_FINE_CURVATURE, curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size), leaf);
@@ -143,7 +149,7 @@ static double place_of_plane(const struct csg_plane *plane)
 }
 
 static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene,
-                     const struct csg_node *node)
+                     const struct csg_node *node, uint8_t mark)
 {
     const struct csg_carriers *carriers = scene->carriers;
     const uint32_t leaf = node->leaf;
@@ -152,6 +158,8 @@ static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scen
         return true;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const uint32_t carrier = carriers->faces[i].carrier;
+        if (mark & (i == carriers->face_begin[leaf] ? CSG_WALL_LOW : CSG_WALL_HIGH))
+            continue;
         const double place = place_of_plane(&carriers->planes[carrier]);
         const bool turned = carriers->faces[i].flipped != node->negated;
         if (!csg_array_push(&surfaces->planes, ((struct surface){carrier, leaf, turned, place})))
@@ -229,9 +237,18 @@ static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scen
         note(sharp, CSG_FINE_GAP, apart, b->leaf);
 }
 
+/* Rings of one profile, whose walls are known. */
+static bool is_one_profile(const struct csgcast_scene *scene, const uint8_t *marks, uint32_t a,
+                           uint32_t b)
+{
+    const struct csg_leaf *x = &scene->leaves[a], *y = &scene->leaves[b];
+    return marks[a] & marks[b] & CSG_WALL_RING && x->line == y->line && x->column == y->column;
+}
+
 /* Surfaces that are alike are neighbours. */
 static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
-                       struct surfaces *surfaces, struct csg_vec3 center, double radius)
+                       const uint8_t *marks, struct surfaces *surfaces, struct csg_vec3 center,
+                       double radius)
 {
     const struct csg_carriers *carriers = scene->carriers;
     const size_t num_planes = surfaces->planes.num, num_quadrics = surfaces->quadrics.num;
@@ -250,7 +267,8 @@ static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *
         for (size_t j = i + 1; j < num_quadrics && j < i + MAX_NEIGHBOURS &&
                                q[j].place - q[i].place < NEAR_BOXES * radius;
              j++)
-            if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned)
+            if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned &&
+                !is_one_profile(scene, marks, q[i].leaf, q[j].leaf))
                 note_quadrics(sharp, scene, &q[i], &q[j]);
 }
 
@@ -263,21 +281,39 @@ static double radius_of_planes(const struct surfaces *surfaces, const struct csg
     return radius > 0 ? radius : 1;
 }
 
+/* Turned profiles count as such, not as their rings: marks tells which leaves are. */
+static bool note_stacks(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                        const struct csg_object *object, uint8_t *marks)
+{
+    struct csg_stacks stacks = {0};
+    bool ok = csg_stacks_find(&stacks, scene, object);
+    for (size_t i = 0; i < stacks.list.num && ok; i++) {
+        const struct csg_stack *stack = &stacks.list.data[i];
+        double least;
+        ok = csg_wall_measure(scene, &stacks, stack, marks, &least);
+        note(sharp, CSG_FINE_THICKNESS, least, stacks.rings.data[stack->first_ring].outer);
+    }
+    csg_stacks_finish(&stacks);
+    return ok;
+}
+
 static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
-                        const struct csg_object *object, struct surfaces *surfaces)
+                        const struct csg_object *object, struct surfaces *surfaces, uint8_t *marks)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
     surfaces->planes.num = surfaces->quadrics.num = 0;
+    if (!note_stacks(sharp, scene, object, marks))
+        return false;
     for (uint32_t i = object->begin; i < object->end; i++) {
         if (nodes[i].op != CSG_LEAF || nodes[i].spare)
             continue;
-        note_leaf(sharp, scene, nodes[i].leaf);
-        if (!add_leaf(surfaces, scene, &nodes[i]))
+        note_leaf(sharp, scene, nodes[i].leaf, marks[nodes[i].leaf]);
+        if (!add_leaf(surfaces, scene, &nodes[i], marks[nodes[i].leaf]))
             return false;
     }
     const struct csg_box *box = &object->box;
     const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
-    note_pairs(sharp, scene, surfaces,
+    note_pairs(sharp, scene, marks, surfaces,
                known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
                known ? 0.5 * csg_length(csg_sub(box->hi, box->lo))
                      : radius_of_planes(surfaces, scene->carriers));
@@ -291,11 +327,13 @@ struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene)
     const size_t num = scene->objects->num;
     struct csg_sharpness *sharp = malloc((num + 1) * sizeof *sharp);
     struct surfaces surfaces = {{0}, {0}};
-    bool ok = sharp != NULL;
+    uint8_t *marks = calloc(scene->num_leaves + 1, 1);
+    bool ok = sharp && marks;
     for (size_t i = 0; i < num && ok; i++) {
         sharp[i] = blunt;
-        ok = note_object(&sharp[i], scene, &scene->objects->data[i], &surfaces);
+        ok = note_object(&sharp[i], scene, &scene->objects->data[i], &surfaces, marks);
     }
+    free(marks);
     free(surfaces.planes.data);
     free(surfaces.quadrics.data);
     if (!ok) {

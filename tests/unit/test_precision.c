@@ -30,6 +30,13 @@ static const struct choice choices[] = {
     {"difference() { cylinder(r = 1e-4, h = 10); translate([0, 0, 9]) cube(5); }",
      {40, 30, 20}, {0, 0, 5}, 1, "radius of curvature"},
     {"difference() { sphere(r = 10); sphere(r = 9.99999); }", {40, 30, 20}, {0, 0, 0}, 1, "apart"},
+    /* rings of a profile are thin where its corners are close; what counts is the profile */
+    {"difference() { rotate_extrude($fn = 360) translate([50, 0]) circle(1, $fn = 360);"
+     " cube(60); }",
+     {200, 150, 100}, {0, 0, 0}, 0, ""},
+    {"difference() { rotate_extrude($fn = 60) polygon([[0, 0], [9, 0], [9, 3], [19, 3],"
+     " [19, 3.00001], [9, 3.00001], [9, 4], [8, 5], [7, 5.5], [6, 5.7], [5, 5.8], [0, 5.8]]); cube(60); }",
+     {80, 60, 40}, {0, 0, 0}, 1, "1e-05"},
     {"tetrahedron(points = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 0.0004]]);",
      {40, 30, 20}, {0, 0, 0}, 1, "radians"},
     {"translate([-50, -50, -10]) cube([100, 100, 10]);", {0, 0, 0.01}, {9, 0, -1}, 1,
