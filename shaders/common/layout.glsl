@@ -110,8 +110,8 @@
 
 /* A bunch of a cell's literals (src/cells/bunch.h): multiples of 4. Of a literal's texel the number is
  * its surfaces by bit, planes from bit 0, quadrics behind them, and whether it is negated. */
-#define CSG_BUNCH_LITERALS 12
-#define CSG_BUNCH_MANY_PLANES 16 /* of objects without quadrics */
+#define CSG_BUNCH_LITERALS 8
+#define CSG_BUNCH_MANY_PLANES 12 /* of objects without quadrics */
 #define CSG_BUNCH_FEW_PLANES 8
 #define CSG_BUNCH_QUADRICS 4
 #define CSG_BUNCH_NEGATED 0x10000

@@ -11,7 +11,7 @@
 
 /* Literals of a cell that are never worth a cut. */
 #define SMALL_CELL 4
-#define SMALL_BUNCHED 8
+#define SMALL_BUNCHED 5
 
 static size_t count_leaves(const struct csg_tree *tree)
 {

@@ -17,7 +17,7 @@
 
 /* Branches for each leaf: boxes along the axes are told apart by fewer cuts. What costs rays most
  * is cut first. */
-#define BRANCHES_PER_BOX 10
+#define BRANCHES_PER_BOX 14
 #define BRANCHES_PER_LEAF 28
 
 /* Making one takes 3 to 6 microseconds, as long as so many tests of a solid at a pixel in tiles. */
