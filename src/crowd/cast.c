@@ -315,7 +315,8 @@ static struct range around_zero(struct range range)
 /*
  * A lower bound of the entry m - sqrt(h) that follows its slope: sqrt(h) <= (h / r + r) / 2 for any
  * r > 0, best where r is the root at the rectangle's center. With u and v the distances of x and y
- * from there that is a polynomial in each of them, and so is m: x and y are a rotation of the pixel.
+ * from there that is a polynomial in each of them, and so is m: x and y are a rotation of the
+ * pixel.
  */
 static float sloping_entry(const struct csg_cast *cast, const struct csg_tilt *tilt,
                            const struct quadric_ranges *of)

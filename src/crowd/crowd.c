@@ -35,7 +35,9 @@ static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric =
-        face.carrier == CSG_NO_CARRIER ? NULL : csg_carrier_quadric(scene, scene->carriers, face.carrier);
+        face.carrier == CSG_NO_CARRIER
+            ? NULL
+            : csg_carrier_quadric(scene, scene->carriers, face.carrier);
     return csg_outline_of(&scene->leaves[leaf].shape, quadric, ball, numbers);
 }
 

@@ -75,7 +75,8 @@ static void quadric_normals(const struct csg_crowd_view *view, const struct csg_
     if (is_ball(view, class))
         csg_screen_ball_normal(&frame->screen, frame->at, center_of(view, member), terms);
     else
-        csg_screen_normal(&frame->screen, frame->at, csg_carrier_quadric(view->scene, carriers, face.carrier), base, terms);
+        csg_screen_normal(&frame->screen, frame->at,
+                          csg_carrier_quadric(view->scene, carriers, face.carrier), base, terms);
     for (int i = 0; i < CSG_NORMAL_TERMS; i++)
         put_normal(normals[i], terms[i], 1, i == 0 ? -mark : 0);
 }

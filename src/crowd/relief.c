@@ -86,7 +86,8 @@ static bool are_few(const struct csg_pixels *pixels)
     return (pixels->hi[0] - pixels->lo[0] + 1) * (pixels->hi[1] - pixels->lo[1] + 1) < MIN_PIXELS;
 }
 
-static bool start_square(const struct csg_relief *relief, const struct csg_pixels *all, struct part *part)
+static bool start_square(const struct csg_relief *relief, const struct csg_pixels *all,
+                         struct part *part)
 {
     if (all->lo[0] > all->hi[0] || all->lo[1] > all->hi[1])
         return false;

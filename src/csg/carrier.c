@@ -183,7 +183,8 @@ static bool find_quadric(const struct builder *builder, uint32_t leaf,
     struct csg_index_probe probe;
     csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
-        const struct csg_quadric *carrier = csg_carrier_quadric(builder->scene, builder->carriers, i);
+        const struct csg_quadric *carrier =
+            csg_carrier_quadric(builder->scene, builder->carriers, i);
         if (!same_class(&shape->quadric, carrier))
             continue;
         if (was_on(builder, leaf, extent, i, face))
@@ -240,13 +241,14 @@ static int8_t carrier_sheet(const struct csg_shape *shape, const struct csg_quad
 static bool assign_plane(struct builder *builder, const struct csg_plane *plane,
                          const struct extent *extent, bool alone, struct csg_face *face)
 {
+    struct csg_carriers *carriers = builder->carriers;
     if (alone)
         return add_plane(builder, plane, extent, alone, face);
-    const bool was_met = csg_plane_table_find(&builder->planes, builder->carriers->planes, plane, face);
+    const bool was_met = csg_plane_table_find(&builder->planes, carriers->planes, plane, face);
     const bool is_shared = was_met || find_plane(builder, plane, extent, face);
-    builder->carriers->num_shared += is_shared;
+    carriers->num_shared += is_shared;
     return (is_shared || add_plane(builder, plane, extent, alone, face)) &&
-           (was_met || csg_plane_table_add(&builder->planes, builder->carriers->planes, plane, face));
+           (was_met || csg_plane_table_add(&builder->planes, carriers->planes, plane, face));
 }
 
 struct ranked_plane {

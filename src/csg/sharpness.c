@@ -133,7 +133,8 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
     }
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
-    note(sharp, CSG_FINE_CURVATURE, curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size), leaf);
+    note(sharp, CSG_FINE_CURVATURE,
+         curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size), leaf);
 }
 
 static int compare(const void *a, const void *b)

@@ -54,8 +54,7 @@ static void put_opening(struct text *text)
     const char *modifier = modifiers[random_below(60)];
     PUT(text, "%s", modifier ? modifier : "");
     if (a < 8)
-        PUT(text, "multmatrix([[1, 0, 0, %u.23456], [0, %u, 0, 1], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n",
-            a, a + 1);
+        PUT(text, "multmatrix([[1, 0, 0, %u.23456], [0, %u, 0, 1], [0, 0, 1, 0]]) {\n", a, a + 1);
     else if (a < 12)
         PUT(text, "color([0.%u, 0.5, 1, 1]) {\n", a);
     else
