@@ -16,7 +16,8 @@
 
 #include "ideal/text.h"
 
-enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_SOLIDS = 1200, NUM_VIEWS = 6, NUM_DENSE = 4000, NUM_NESTED = 500 };
+enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_VIEWS = 6 };
+enum { NUM_SOLIDS = 1200, NUM_DENSE = 4000, NUM_NESTED = 500 };
 
 #define MAX_NORMAL_ERROR 2e-4 /* the crowd's spheres have their normals in closed form */
 #define MAX_COLOR_ERROR 2e-3f
@@ -121,7 +122,7 @@ static char *make_nested_scene(bool is_translucent)
     struct text text = {0};
     text_put(&text, "color([1, 0.5, 0, %s]) {\n", is_translucent ? "0.4" : "1");
     for (int i = 0; i < NUM_NESTED; i++) {
-        const double r = i % 2 ? 3 + 0.004 * i : 5 - 0.004 * i;
+        const double r = i % 2 ? 7 + 0.004 * i : 9 - 0.004 * i;
         text_put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 9), i % 5 ? 0 : between(0, 90));
         text_put(&text, "translate([%.9g, 0, %.9g]) ", between(-0.1, 0.1), between(-0.1, 0.1));
         if (i % 3 == 0)
@@ -131,7 +132,7 @@ static char *make_nested_scene(bool is_translucent)
         else
             text_put(&text, "cylinder(h = %.9g, r = %.9g, center = true);\n", 2.2 * r, r);
     }
-    text_put(&text, "}\ncolor([0, 0, 1, 1]) cylinder(h = 14, r = 0.5);\n");
+    text_put(&text, "}\ncolor([0, 0, 1, 1]) cylinder(h = 26, r = 0.5);\n");
     return text.data;
 }
 
