@@ -13,7 +13,8 @@
 
 /*
  * What is drawn in addition: the nodes that the cuts add, in those of the object, at all pixels of
- * the parts that are still cut, in the object's. Measured on real files: above this it does not pay.
+ * the parts that are still cut, in the object's. Measured on real files: above this it does not
+ * pay.
  */
 #define MAX_EXTRA 2.0
 /* How many times as many nodes as before the parts may have, */
@@ -21,7 +22,8 @@
 /* ... and how many leaves may be looked at for it. */
 #define MAX_LOOKS 2e7
 
-/* A surface is projected for each part that it cuts: so many triangles of it take as long as a node. */
+/* A surface is projected for each part that it cuts: so many triangles of it take as long as a
+ * node. */
 #define TRIANGLES_A_NODE 16
 
 /* Unions within the operands of unions are distributed in turn. */
@@ -35,10 +37,10 @@ struct distributor {
     const struct csgcast_scene *scene;
     const struct csg_tree *from;
     const struct csg_object *object;
-    uint32_t wide;  /* node of the object's union that is distributed */
+    uint32_t wide; /* node of the object's union that is distributed */
     double margin;
-    double overlap;  /* of the parts that are cut: half their boxes' areas */
-    size_t surfaces; /* in them: nodes' worth of triangles */
+    double overlap;        /* of the parts that are cut: half their boxes' areas */
+    size_t surfaces;       /* in them: nodes' worth of triangles */
     struct csg_box *boxes; /* of the nodes of from */
     uint8_t *known;        /* by leaf */
     struct csg_tree part, to;
@@ -109,8 +111,8 @@ static bool gather(struct distributor *at, uint32_t operand)
     const struct csg_node *nodes = at->from->data;
     const struct csg_node *root = &nodes[at->object->begin];
     at->part.num = 0;
-    bool ok = csg_array_push(&at->part, *root) &&
-              append(&at->part, nodes, operand, nodes[operand].end);
+    bool ok =
+        csg_array_push(&at->part, *root) && append(&at->part, nodes, operand, nodes[operand].end);
     for (uint32_t i = at->object->begin + 1; i < at->object->end && ok; i = nodes[i].end)
         ok = i == at->wide || append(&at->part, nodes, i, nodes[i].end);
     if (ok)

@@ -31,7 +31,7 @@ struct face {
     int num_edges;
     double left, right; /* pixels */
     int first_row, end_row;
-    uint32_t normal;  /* place in the record; 0 while no list has the face */
+    uint32_t normal; /* place in the record; 0 while no list has the face */
     uint32_t triangle;
 };
 

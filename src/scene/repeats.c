@@ -76,8 +76,7 @@ static uint32_t *place_of(const struct csg_repeats *repeats, uint64_t hash)
 {
     const size_t mask = repeats->table.num - 1;
     size_t i = (size_t)hash & mask;
-    while (repeats->table.data[i] &&
-           repeats->entries.data[repeats->table.data[i] - 1].hash != hash)
+    while (repeats->table.data[i] && repeats->entries.data[repeats->table.data[i] - 1].hash != hash)
         i = (i + 1) & mask;
     return &repeats->table.data[i];
 }
@@ -192,8 +191,8 @@ static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_
            csg_log_memory(&walk->builder->report->log);
 }
 
-/* Faces that are not plane are cut in a space outside of the resize() that they are in (cut_space.h),
- * and what has no children is as soon read as copied. */
+/* Faces that are not plane are cut in a space outside of the resize() that they are in
+ * (cut_space.h), and what has no children is as soon read as copied. */
 static bool depends_on_text(const struct csg_walk *walk, uint32_t node,
                             const struct csg_node_ops *ops)
 {
