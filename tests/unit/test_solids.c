@@ -385,6 +385,22 @@ static void check_slender(void)
     }
 }
 
+/* Straight-line code takes half of a paired solid's planes for exits. */
+static void check_paired(void)
+{
+    static const struct {
+        struct csg_vec3 normal;
+        bool paired;
+    } planes[] = {{{1, 0, 0}, false},   {{-1, 0, 0}, true},     {{0, 3, 4}, false}, {{0, 1, 0}, false},
+                  {{0, -3, -4}, false}, {{0, -1, 1e-5}, false}, {{0, -1, 0}, false}};
+    struct csg_shape shape = {0};
+    for (size_t i = 0; i < sizeof planes / sizeof *planes; i++) {
+        csg_shape_add_plane(&shape, planes[i].normal, 1);
+        CHECK(csg_shape_is_paired(&shape) == planes[i].paired, "%zu planes", i + 1);
+    }
+    csg_shape_finish(&shape);
+}
+
 int main(void)
 {
     bool has_kind[CSG_NUM_KINDS] = {false};
@@ -397,5 +413,6 @@ int main(void)
               csg_solids[kind]->name);
     check_others();
     check_slender();
+    check_paired();
     return num_failed > 0;
 }
