@@ -14,7 +14,8 @@ static struct csg_fold fold_leaf(const struct csg_node *node, const uint8_t *kno
 }
 
 /* The neutral constant disappears from a node, the absorbing one decides it. */
-static struct csg_fold fold_node(const struct csg_tree *tree, const struct csg_fold *folds, uint32_t i)
+static struct csg_fold fold_node(const struct csg_tree *tree, const struct csg_fold *folds,
+                                 uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
     const uint8_t neutral = node->op == CSG_OR ? CSG_NOTHING : CSG_EVERYTHING;
@@ -34,7 +35,8 @@ static void close_nodes(struct csg_tree_room *out, uint32_t old_index)
         out->tree.data[out->open.data[--out->open.num].index].end = (uint32_t)out->tree.num;
 }
 
-static bool is_transparent(const struct csg_tree_room *out, const struct csg_node *node, bool single)
+static bool is_transparent(const struct csg_tree_room *out, const struct csg_node *node,
+                           bool single)
 {
     if (node->op == CSG_LEAF)
         return false;
@@ -54,7 +56,8 @@ static bool emit(struct csg_tree_room *out, const struct csg_node *node)
            csg_array_push(&out->open, ((struct csg_open_node){index, node->end}));
 }
 
-static bool emit_all(struct csg_tree_room *out, const struct csg_tree *tree, const struct csg_fold *folds)
+static bool emit_all(struct csg_tree_room *out, const struct csg_tree *tree,
+                     const struct csg_fold *folds)
 {
     for (uint32_t i = 0; i < tree->num;) {
         const struct csg_node *node = &tree->data[i];

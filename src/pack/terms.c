@@ -164,8 +164,8 @@ static void put_quadric(const struct csg_terms *terms, const struct csg_node *no
                    face.flipped != node->negated ? -1 : 1, i == 0 ? -block : base[i - 1]);
 }
 
-/* A solid that no ray meets, with as many faces as the leaf has, half of them exits: what has planes in
- * pairs has no fewer (csg_shape_is_paired). Returns the number of entries. */
+/* A solid that no ray meets, with as many faces as the leaf has, half of them exits: what has
+ * planes in pairs has no fewer (csg_shape_is_paired). Returns the number of entries. */
 static uint32_t put_nothing(uint32_t num_planes, bool has_quadric, double (*texels)[4])
 {
     const uint32_t num_entries = num_planes - num_planes / 2;

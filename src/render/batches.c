@@ -143,8 +143,8 @@ static GLuint choose_straight(struct chooser *chooser, const struct csg_structur
     return program;
 }
 
-/* Straight-line code takes half of the planes of paired leaves for exits, as they always are but for
- * the rounding of planes along the rays. */
+/* Straight-line code takes half of the planes of paired leaves for exits, as they always are but
+ * for the rounding of planes along the rays. */
 static bool has_exits(const struct chooser *chooser, const struct csg_structure *structure,
                       const struct csg_draw *draw)
 {

@@ -12,8 +12,8 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {.slots = 5, .handed = 4, .quadrics = true},
 };
 
-/* Planes of either sense that a slot holds, and numbers of normals that shaders/csg/normals.glsl has
- * bits for. */
+/* Planes of either sense that a slot holds, and numbers of normals that shaders/csg/normals.glsl
+ * has bits for. */
 #define MAX_PLANES 2
 #define MAX_NUMBER 63
 

@@ -54,7 +54,8 @@ enum csg_feature {
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
 #define CSG_ALGORITHM4_MAX_CROSSINGS 192
 
-/* A program for chains, intersections of a few solids and complements, see shaders/csg/chain.glsl. */
+/* A program for chains, intersections of a few solids and complements, see shaders/csg/chain.glsl.
+ */
 struct csg_chain {
     int slots;     /* solids at most */
     int handed;    /* ... that the vertex stage reads; fragments read the others */

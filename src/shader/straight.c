@@ -68,9 +68,10 @@ static void add_normals(struct parameters *parameters, const struct csg_structur
         if (is_pop(structure, i))
             continue;
         const size_t input = second ? parameters->num_handed - 1 : parameters->num_handed++;
-        const char *format = second ? "    csg_handed[%zu].zw = csg_normals_of(begin + %zu, %zu);\n"
-                                    : "    csg_handed[%zu] = vec4(csg_normals_of(begin + %zu, %zu), "
-                                      "0.0, 0.0);\n";
+        const char *format = second
+                                 ? "    csg_handed[%zu].zw = csg_normals_of(begin + %zu, %zu);\n"
+                                 : "    csg_handed[%zu] = vec4(csg_normals_of(begin + %zu, %zu), "
+                                   "0.0, 0.0);\n";
         csg_text_add(parameters->vertex, format, input, leaves[i].record, leaves[i].num_planes);
         csg_text_add(parameters->fragment, "    vec2 n%zu = csg_handed[%zu].%s;\n", i, input,
                      second ? "zw" : "xy");
@@ -257,8 +258,8 @@ static void add_search(struct csg_text *text, const struct csg_structure *struct
     csg_text_end_search(text);
 }
 
-/* Solids and complements that must all be true: whichever of them became so at k is responsible, and
- * which of several is known by their order. */
+/* Solids and complements that must all be true: whichever of them became so at k is responsible,
+ * and which of several is known by their order. */
 static bool is_flat(const struct csg_structure *structure, const struct leaf_code *leaves)
 {
     for (size_t i = 0; i < structure->num; i++)
@@ -277,7 +278,8 @@ static size_t last_choice(const struct csg_structure *structure, const struct le
         const bool negated = structure->steps[i].flags & CSG_RECORD_NEGATED;
         if (placed[i])
             continue;
-        const bool than = last < structure->num && structure->steps[last].flags & CSG_RECORD_NEGATED;
+        const bool than =
+            last < structure->num && structure->steps[last].flags & CSG_RECORD_NEGATED;
         if (last == structure->num || (negated && !than) ||
             (negated == than && leaves[i].rank > leaves[last].rank))
             last = i;

@@ -62,7 +62,6 @@ bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
     return true;
 }
 
-/* There is room for the next power of two of planes: only this function makes it. */
 /* Of unit normals that are exactly opposite, as rounding leaves them. */
 #define OPPOSITE 1e-12 /* of their cosine: 1.4e-6 of an angle */
 
@@ -85,6 +84,7 @@ bool csg_shape_is_paired(const struct csg_shape *shape)
     return true;
 }
 
+/* There is room for the next power of two of planes: only this function makes it. */
 static bool make_room(struct csg_shape *shape)
 {
     const size_t num = shape->num_planes;

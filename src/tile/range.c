@@ -43,8 +43,8 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     const struct csg_range xx = parabola(x, t[9], curve);
     const struct csg_range yy = parabola(y, t[10], t[11]);
     const double c0 = t[7];
-    const double margin =
-        FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) + csg_larger(fabs(yy.lo), fabs(yy.hi)));
+    const double margin = FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) +
+                                          csg_larger(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 

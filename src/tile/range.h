@@ -20,7 +20,8 @@ struct csg_leaf_range {
         solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
 
-/* fmax and fmin but for what is no number: without a call, which tiles would make by the million. */
+/* fmax and fmin but for what is no number: without a call, which tiles would make by the million.
+ */
 static inline double csg_larger(double a, double b)
 {
     return a > b ? a : b;
