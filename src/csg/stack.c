@@ -46,8 +46,8 @@ static bool is_level(const struct finder *finder, uint32_t a, uint32_t b)
     return x->lo.z == y->lo.z && x->hi.z == y->hi.z;
 }
 
-/* Whether operand i of a node is a ring: of a union a frustum less another one, or the complement of
- * that, of an intersection. */
+/* Whether operand i of a node is a ring: of a union a frustum less another one, or the complement
+ * of that, of an intersection. */
 static bool find_ring(const struct finder *finder, uint32_t i, uint8_t op, struct csg_ring *ring)
 {
     const struct csg_node *node = &finder->nodes[i];

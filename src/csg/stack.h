@@ -28,8 +28,8 @@ struct csg_stack {
 struct csg_stacks {
     CSG_ARRAY(struct csg_stack) list;
     CSG_ARRAY(struct csg_ring) rings;
-    struct csg_tree tree; /* the object's, from 0, in which a stack is one leaf: the scene's number of
-                           * leaves and its place in list; empty where there is no stack */
+    struct csg_tree tree; /* the object's, from 0, in which a stack is one leaf: the scene's number
+                           * of leaves and its place in list; empty where there is no stack */
 };
 
 /* How many leaves a tree with stacks can have. */

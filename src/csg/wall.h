@@ -4,8 +4,8 @@
 
 /*
  * How thin a turned profile is. Rings of a stack are as thin as the corners of the profile are
- * close, but that is no wall: the next ring goes on where one ends, at the same carrier. What counts
- * is how far it is across the profile from one side to another.
+ * close, but that is no wall: the next ring goes on where one ends, at the same carrier. What
+ * counts is how far it is across the profile from one side to another.
  */
 
 #include "csg/stack.h"
@@ -22,8 +22,8 @@ enum {
 bool csg_wall_measure(const struct csgcast_scene *scene, const struct csg_stacks *stacks,
                       const struct csg_stack *stack, uint8_t *marks, double *least);
 
-/* The radius of curvature of a ring's frustum at its wide end: the length of the normal from there to
- * the axis. A cone as flat as a ring's may be is hardly curved. */
+/* The radius of curvature of a ring's frustum at its wide end: the length of the normal from there
+ * to the axis. A cone as flat as a ring's may be is hardly curved. */
 double csg_wall_curvature(const struct csg_shape *shape);
 
 #endif

@@ -5,12 +5,12 @@
 
 #include "pack/terms.h"
 
-/* Of a plane that moves by all that the stack is deep, or more, within so many pixels, pixels can not
- * tell where in it rays meet it. */
+/* Of a plane that moves by all that the stack is deep, or more, within so many pixels, pixels can
+ * not tell where in it rays meet it. */
 #define STEEP_PIXELS 1e-4
 
-/* Share of the largest key by which pixels' centres lie beside such a plane, at least: more than the
- * rounding of float. */
+/* Share of the largest key by which pixels' centres lie beside such a plane, at least: more than
+ * the rounding of float. */
 #define BESIDE_STEEP 1e-5
 
 /* Where a frustum ends, a circle about the axis. */
@@ -28,7 +28,7 @@ struct builder {
     uint32_t stack;
     double keys[2]; /* between which the stack's rings are */
     CSG_ARRAY(struct rim) rims;
-    CSG_ARRAY(uint32_t) circles; /* of the stack's rings: outer low, outer high, inner low and high */
+    CSG_ARRAY(uint32_t) circles; /* four a ring: outer low and high, inner low and high */
 };
 
 static const struct csg_shape *shape_of(const struct builder *builder, uint32_t leaf)

@@ -4,10 +4,11 @@
 
 /*
  * Stacks of rings (csg/stack.h) as the screen sees them: the bands of cones and the flat rings that
- * bound them. Two neighbouring bands end in one circle. Whether a ray passes inside of it is decided
- * once, by a conic of the pixel, and both bands go by that: a band is crossed once where the answers
- * at its two circles differ, and else not, or twice, between them. So however keys are rounded, over
- * a whole stack entries and exits alternate: nothing is lost or counted twice where bands meet.
+ * bound them. Two neighbouring bands end in one circle. Whether a ray passes inside of it is
+ * decided once, by a conic of the pixel, and both bands go by that: a band is crossed once where
+ * the answers at its two circles differ, and else not, or twice, between them. So however keys are
+ * rounded, over a whole stack entries and exits alternate: nothing is lost or counted twice where
+ * bands meet.
  */
 
 #include "csg/stack.h"
