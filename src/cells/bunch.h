@@ -10,8 +10,9 @@
 
 #include "csg/object.h"
 
-/* Texels: places of terms of planes, of quadrics where the object has any, then of the literals their
- * surfaces as bits, and places of their leaves, + 1, negative where negated. Four numbers each. */
+/* Texels: places of terms of planes, of quadrics where the object has any, then of the literals
+ * their surfaces as bits, and places of their leaves, + 1, negative where negated. Four numbers
+ * each. */
 struct csg_bunches {
     const struct csgcast_scene *scene;
     const uint32_t *places; /* of the leaves' terms, by leaf; a header each, then the faces */

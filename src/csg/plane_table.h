@@ -13,7 +13,7 @@
  */
 struct csg_plane_slot {
     uint32_t tag;   /* of the plane's hash */
-    uint32_t place; /* 0: free; carrier + 1: that one's own plane; from CSG_PLANE_OTHER on: others */
+    uint32_t place; /* 0: free; carrier + 1: its own plane; from CSG_PLANE_OTHER on: others */
 };
 
 #define CSG_PLANE_OTHER 0x80000000u

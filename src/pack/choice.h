@@ -8,9 +8,9 @@
 #include "pack/terms.h"
 
 /*
- * The cells in which an object is drawn in this frame; NULL where it is not: cells are for rays that
- * start outside of it, for keys in float, and for where tiles make too little of it. terms are the
- * object's; draw gets may_walk and bunched. false: out of memory.
+ * The cells in which an object is drawn in this frame; NULL where it is not: cells are for rays
+ * that start outside of it, for keys in float, and for where tiles make too little of it. terms are
+ * the object's; draw gets may_walk and bunched. false: out of memory.
  */
 bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
                       const struct csg_rect *rect, struct csg_draw *draw,

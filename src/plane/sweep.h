@@ -34,8 +34,8 @@ struct csg_sweep {
     double size;                            /* the largest coordinate */
 };
 
-/* Differences below this share of the largest coordinate are noise: what offset() leaves between two
- * of its corners that are meant to be at one height. */
+/* Differences below this share of the largest coordinate are noise: what offset() leaves between
+ * two of its corners that are meant to be at one height. */
 #define CSG_SWEEP_NOISE 1e-10
 
 /* A drawing may not have more edges, nor the slabs more spans; beyond them it is not swept. */

@@ -48,7 +48,7 @@ struct csg_reference_params {
 /* The ray of a pixel; row 0 is on top. */
 struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y);
 
-/* The pixels to cast: those of these rows that are wanted (called on any thread), all where NULL. */
+/* The pixels to cast: those of these rows that are wanted (called on any thread); NULL: all. */
 struct csg_reference_part {
     int first_row, num_rows;
     bool (*wants)(const void *user, int x, int y);

@@ -1,363 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "crowd/crowd.h"
+#include "render/chooser.h"
 #include "render/direct.h"
 #include "render/turns.h"
 
-/* Structures that get straight-line programs of their own, at most; the others share the loop.
- * Each costs 5 to 100 ms to compile where the driver's disk cache does not know it. */
-#define MAX_STRAIGHT_PROGRAMS 8
-
-/* Program of a structure that this frame has met already. */
-struct known {
-    const struct csg_step *steps; /* of the first object that has it */
-    size_t num;
-    bool stiff;
-    GLuint program;
-};
-
-struct chooser {
-    struct csgcast_renderer *renderer;
-    const struct csg_request *request;
-    struct known straight[MAX_STRAIGHT_PROGRAMS];
-    size_t num_straight;
-    GLuint surfaces[CSG_NUM_FEATURE_SETS];
-    GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
-    GLuint cells[CSG_NUM_FEATURE_SETS];
-    GLuint cpu; /* for what needs double without having it */
-    GLuint chains[CSG_NUM_CHAINS];
-    int common_chain; /* that all tiles take which are chains; -1: each its own */
-    bool tiles_prepared, direct;
-    uint32_t prepared; /* the object whose cells' program is there, + 1 */
-    size_t max_handed; /* flat inputs that the driver allows */
-    int max_point;     /* pixels of a point's side */
-};
-
-static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
-{
-    const struct csg_plan *plan = request->scene->plan;
-    return (struct csg_structure){plan->program.data + plan->begin[object],
-                                  plan->begin[object + 1] - plan->begin[object], request->scene};
-}
-
-bool csg_draws_whole(size_t object, const void *user)
-{
-    const struct csg_request *request = user;
-    const struct csg_structure structure = structure_of(request, (uint32_t)object);
-    if (request->scene->objects->data[object].crowded || request->tile_size ||
-        request->resolver == CSG_RESOLVER_CHAIN || request->resolver == CSG_RESOLVER_CELLS ||
-        (request->shared && structure.num > 1))
-        return false;
-    if (request->resolver == CSG_RESOLVER_ALGORITHM4)
-        return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
-    return csg_structure_is_small(&structure);
-}
-
-static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
-{
-    const struct csg_shape *x = &scene->leaves[a].shape, *y = &scene->leaves[b].shape;
-    return x->num_planes == y->num_planes && csg_shape_is_paired(x) == csg_shape_is_paired(y);
-}
-
-/* Same flags, planes and file order of the leaves: the same straight-line text. */
-static bool same_structure(const struct csg_structure *a, bool stiff, const struct known *b)
-{
-    if (a->num != b->num || stiff != b->stiff)
-        return false;
-    for (size_t i = 0; i < a->num; i++) {
-        const struct csg_step *x = &a->steps[i], *y = &b->steps[i];
-        if (x->flags != y->flags)
-            return false;
-        if (x->flags & CSG_RECORD_POP)
-            continue;
-        if (!same_leaf_shape(a->scene, x->leaf, y->leaf))
-            return false;
-        for (size_t j = 0; j < i; j++)
-            if (!(a->steps[j].flags & CSG_RECORD_POP) &&
-                (x->leaf < a->steps[j].leaf) != (y->leaf < b->steps[j].leaf))
-                return false;
-    }
-    return true;
-}
-
-static struct known *find_straight(struct chooser *chooser, const struct csg_structure *structure,
-                                   bool stiff)
-{
-    for (size_t i = 0; i < chooser->num_straight; i++)
-        if (same_structure(structure, stiff, &chooser->straight[i]))
-            return &chooser->straight[i];
-    return NULL;
-}
-
-static int frame_features(const struct chooser *chooser)
-{
-    return (chooser->direct ? CSG_FEATURE_DIRECT : 0) |
-           (chooser->request->shared ? CSG_FEATURE_SHARED : 0);
-}
-
-static GLuint compile(struct chooser *chooser, enum csg_resolver resolver,
-                      const struct csg_structure *structure, int features)
-{
-    features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
-    features |= frame_features(chooser);
-    return csg_programs_get(
-        &chooser->renderer->programs,
-        csg_source_geometry(resolver, features, structure, chooser->max_handed));
-}
-
-/* What a program is noted under that needs no structure: a chain is a resolver of its own. */
-static uint32_t name_of(const struct chooser *chooser, enum csg_resolver resolver, int chain,
-                        int features)
-{
-    const int all = features | frame_features(chooser) |
-                    (chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0);
-    return (uint32_t)all << 16 | (uint32_t)(chain + 1) << 8 | ((uint32_t)resolver + 1);
-}
-
-/* The program of a resolver that needs no structure. */
-static GLuint compile_shared(struct chooser *chooser, enum csg_resolver resolver, int features)
-{
-    struct csg_programs *programs = &chooser->renderer->programs;
-    const uint32_t name = name_of(chooser, resolver, -1, features);
-    const GLuint noted = csg_programs_noted(programs, name);
-    if (noted)
-        return noted;
-    const GLuint program = compile(chooser, resolver, NULL, features);
-    csg_programs_note(programs, program, name);
-    return program;
-}
-
-static GLuint choose_straight(struct chooser *chooser, const struct csg_structure *structure,
-                              bool stiff, int features)
-{
-    struct known *known = find_straight(chooser, structure, stiff);
-    if (known)
-        return known->program;
-    const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure, features);
-    if (program)
-        chooser->straight[chooser->num_straight++] =
-            (struct known){structure->steps, structure->num, stiff, program};
-    return program;
-}
-
-/* Straight-line code takes half of the planes of paired leaves for exits, as they always are but
- * for the rounding of planes along the rays. */
-static bool has_exits(const struct chooser *chooser, const struct csg_structure *structure,
-                      const struct csg_draw *draw)
-{
-    const float *head =
-        chooser->renderer->frame.texels.data + 4 * (size_t)draw->instance.records[0];
-    for (size_t i = 0; i < structure->num; i++) {
-        const uint32_t flags = structure->steps[i].flags;
-        const uint32_t leaf = structure->steps[i].leaf;
-        if (!(flags & CSG_RECORD_POP) && head[0] > head[1] &&
-            csg_shape_is_paired(&structure->scene->leaves[leaf].shape))
-            return false;
-        head += 4 * (1 + (int)head[0] + (int)head[1] +
-                     (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
-    }
-    return true;
-}
-
-static bool can_be_straight(struct chooser *chooser, const struct csg_structure *structure,
-                            const struct csg_draw *draw)
-{
-    return !draw->around_eye && csg_structure_is_small(structure) &&
-           (chooser->request->textbook || has_exits(chooser, structure, draw)) &&
-           (structure->num == 1 || !chooser->request->shared) &&
-           (chooser->num_straight < MAX_STRAIGHT_PROGRAMS ||
-            find_straight(chooser, structure, draw->stiff));
-}
-
-/* What a draw's program must do because of this view. */
-static int view_features(const struct csg_draw *draw)
-{
-    return (draw->stiff ? CSG_FEATURE_STIFF : 0) | (draw->precise ? CSG_FEATURE_DOUBLE : 0) |
-           (draw->surface ? CSG_FEATURE_SURFACE : 0) | (draw->bands ? CSG_FEATURE_BANDS : 0);
-}
-
-static enum csg_resolver choose_resolver(struct chooser *chooser,
-                                         const struct csg_structure *structure,
-                                         const struct csg_draw *draw)
-{
-    const int forced = chooser->request->resolver;
-    if (draw->precise)
-        return CSG_RESOLVER_DOUBLE;
-    if (forced == CSG_RESOLVER_LOOP)
-        return CSG_RESOLVER_LOOP;
-    if (forced == CSG_RESOLVER_ALGORITHM4)
-        return csg_structure_crossings(structure) <= CSG_ALGORITHM4_MAX_CROSSINGS
-                   ? CSG_RESOLVER_ALGORITHM4
-                   : CSG_RESOLVER_LOOP;
-    return can_be_straight(chooser, structure, draw) ? CSG_RESOLVER_STRAIGHT : CSG_RESOLVER_LOOP;
-}
-
-/* A program that any structure with these features can use. */
-static GLuint choose_shared(struct chooser *chooser, enum csg_resolver resolver, int features,
-                            enum csg_resolver *chosen)
-{
-    GLuint *shared = resolver == CSG_RESOLVER_REAR         ? chooser->rears
-                     : resolver == CSG_RESOLVER_CELLS      ? chooser->cells
-                     : resolver == CSG_RESOLVER_SURFACE    ? chooser->surfaces
-                     : resolver == CSG_RESOLVER_ALGORITHM4 ? chooser->sorted
-                                                           : chooser->loops;
-    *chosen = resolver;
-    if (!shared[features])
-        shared[features] = compile_shared(chooser, resolver, features);
-    return shared[features];
-}
-
-static bool is_for_cpu(const struct chooser *chooser, const struct csg_draw *draw)
-{
-    return draw->precise && !chooser->renderer->gl->has_double;
-}
-
-static GLuint choose_cpu(struct chooser *chooser, enum csg_resolver *resolver)
-{
-    *resolver = CSG_RESOLVER_CPU;
-    if (!chooser->cpu)
-        chooser->cpu = compile_shared(chooser, CSG_RESOLVER_CPU, 0);
-    return chooser->cpu;
-}
-
-/* A surface alone in its tile counts as the loop, which draws the same. */
-static GLuint choose_surface(struct chooser *chooser, const struct csg_draw *draw,
-                             enum csg_resolver *resolver)
-{
-    const GLuint program =
-        choose_shared(chooser, CSG_RESOLVER_SURFACE, view_features(draw), resolver);
-    *resolver = draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP;
-    return program;
-}
-
-/* Tiles hold trees of any kind; most are chains. */
-static int find_chain(const struct chooser *chooser, const struct csg_draw *draw)
-{
-    const struct csg_request *request = chooser->request;
-    const bool wanted = request->resolver < 0 || request->resolver == CSG_RESOLVER_STRAIGHT ||
-                        request->resolver == CSG_RESOLVER_CHAIN;
-    const float *texels = chooser->renderer->frame.texels.data;
-    if (!wanted || !draw->tile || draw->stiff || draw->precise || draw->around_eye ||
-        request->textbook)
-        return -1;
-    const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
-                                     (size_t)draw->instance.records[1]);
-    const size_t size = chain < 0 ? 0 : csg_chain_size(&csg_chains[chain]);
-    if (chain >= 0 && chooser->common_chain >= 0)
-        return chooser->common_chain;
-    return size <= chooser->max_handed ? chain : -1;
-}
-
-/* One picture does not repay what several chains take to compile or to read from the driver's
- * cache: the smallest one that covers all tiles draws them. */
-static int find_common_chain(const struct chooser *chooser)
-{
-    const struct csg_frame *frame = &chooser->renderer->frame;
-    struct csg_chain all = {0};
-    for (size_t i = 0; i < frame->draws.num && chooser->request->shared; i++) {
-        const int chain = find_chain(chooser, &frame->draws.data[i]);
-        if (chain < 0)
-            continue;
-        all.slots = csg_chains[chain].slots > all.slots ? csg_chains[chain].slots : all.slots;
-        all.quadrics |= csg_chains[chain].quadrics;
-    }
-    for (int i = 0; i < CSG_NUM_CHAINS && all.slots > 0; i++)
-        if (all.slots <= csg_chains[i].slots && all.quadrics == csg_chains[i].quadrics)
-            return csg_chain_size(&csg_chains[i]) <= chooser->max_handed ? i : -1;
-    return -1;
-}
-
-static GLuint compile_chain(struct chooser *chooser, int chain)
-{
-    struct csg_programs *programs = &chooser->renderer->programs;
-    const uint32_t name = name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0);
-    const GLuint noted = csg_programs_noted(programs, name);
-    if (noted)
-        return noted;
-    const GLuint program = csg_programs_get(
-        programs, csg_source_geometry_chain(&csg_chains[chain], frame_features(chooser)));
-    csg_programs_note(programs, program, name);
-    return program;
-}
-
-static GLuint choose_chain(struct chooser *chooser, int chain)
-{
-    if (!chooser->chains[chain])
-        chooser->chains[chain] = compile_chain(chooser, chain);
-    return chooser->chains[chain];
-}
-
-/* What tiles and cells need, and which of them it is, changes with each edit: in scenes that are
- * edited it is all there from the first frame on. false, with a message, on failure. */
-static bool prepare_tiles(struct chooser *chooser)
-{
-    enum csg_resolver resolver;
-    if (chooser->tiles_prepared || !chooser->request->scene->keeps_structure)
-        return true;
-    chooser->tiles_prepared = true;
-    for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
-        if (!choose_chain(chooser, i))
-            return false;
-    return choose_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP,
-                         &resolver) != 0;
-}
-
-static int walk_features(const struct chooser *chooser, const struct csg_draw *draw)
-{
-    const struct csg_structure structure = structure_of(chooser->request, draw->object);
-    return csg_structure_features(&structure) | view_features(draw) |
-           (draw->nested ? CSG_FEATURE_NESTED : 0) | (draw->bunched ? CSG_FEATURE_BUNCHES : 0);
-}
-
-static bool prepare_cells(struct chooser *chooser, const struct csg_draw *draw)
-{
-    enum csg_resolver resolver;
-    if (!draw->may_walk || !chooser->request->scene->keeps_structure ||
-        chooser->prepared == draw->object + 1)
-        return true;
-    chooser->prepared = draw->object + 1;
-    return choose_shared(chooser, CSG_RESOLVER_CELLS, walk_features(chooser, draw), &resolver) != 0;
-}
-
-static GLuint choose_program(struct chooser *chooser, const struct csg_draw *draw,
-                             enum csg_resolver *resolver)
-{
-    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) || !prepare_cells(chooser, draw))
-        return 0;
-    if (is_for_cpu(chooser, draw))
-        return choose_cpu(chooser, resolver);
-    if (draw->walk)
-        return choose_shared(chooser, CSG_RESOLVER_CELLS, walk_features(chooser, draw), resolver);
-    if (draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP)
-        return choose_surface(chooser, draw, resolver);
-    const int chain = find_chain(chooser, draw);
-    *resolver = CSG_RESOLVER_CHAIN;
-    if (chain >= 0)
-        return choose_chain(chooser, chain);
-    if (draw->tile)
-        return choose_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
-                             CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | view_features(draw), resolver);
-    const struct csg_structure structure = structure_of(chooser->request, draw->object);
-    *resolver = choose_resolver(chooser, &structure, draw);
-    const int features = csg_structure_features(&structure) | view_features(draw);
-    if (*resolver == CSG_RESOLVER_STRAIGHT)
-        return choose_straight(chooser, &structure, draw->stiff, features);
-    return choose_shared(chooser, *resolver, features, resolver);
-}
-
-/* A draw with what was chosen for it. */
-struct choice {
-    struct csg_draw draw;
-    GLuint program, rear;
-    enum csg_resolver resolver;
-    bool point;
-    bool placed;
-};
-
-static bool add_draw(struct csg_batches *batches, const struct choice *choice, uint32_t instance)
+static bool add_draw(struct csg_batches *batches, const struct csg_choice *choice,
+                     uint32_t instance)
 {
     const struct csg_draw *draw = &choice->draw;
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
@@ -385,35 +36,6 @@ static bool add_draw(struct csg_batches *batches, const struct choice *choice, u
     return csg_array_push(batches, batch);
 }
 
-/* What is drawn translucent and is one convex leaf shows its far side. */
-static bool choose_rear(struct chooser *chooser, const struct csg_draw *draw, GLuint *rear)
-{
-    enum csg_resolver resolver;
-    const bool shows = draw->single && !is_for_cpu(chooser, draw) &&
-                       (draw->translucent || draw->paint != CSG_LAYER_MODEL);
-    *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
-                                  CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
-                  : 0;
-    return !shows || *rear;
-}
-
-/* Five flat inputs are the object's, the screen's and the light; more than 27 others cost llvmpipe
- * more than they save. */
-static size_t max_handed(struct csg_gl *gl)
-{
-    GLint components = 0;
-    gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
-    const GLint num = components / 4 - 5;
-    return num < 1 ? 1 : num > 27 ? 27 : (size_t)num;
-}
-
-static int max_point(struct csg_gl *gl)
-{
-    GLfloat range[2] = {1, 1};
-    gl->GetFloatv(GL_POINT_SIZE_RANGE, range);
-    return (int)range[1];
-}
-
 /* Crowds share no carriers with other objects, so file order does not matter between them. */
 static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *renderer)
 {
@@ -422,7 +44,7 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
         const struct csg_crowd_run *run = &crowd->runs.data[i];
         if (run->num == 0)
             continue;
-        const GLuint program = 
+        const GLuint program =
             csg_programs_get(&renderer->programs, csg_source_single(run, batches->direct));
         const struct csg_batch batch = {.program = program,
                                         .layer = CSG_LAYER_MODEL,
@@ -439,22 +61,14 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
     return true;
 }
 
-static bool choose(struct chooser *chooser, const struct csg_draw *draw, struct choice *choice)
-{
-    choice->draw = *draw;
-    choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point;
-    choice->program = choose_program(chooser, draw, &choice->resolver);
-    return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
-}
-
 /* Draws choices [begin, end) that have the program and the form of the first of them, and marks
  * them. */
-static bool add_alike(struct csg_batches *batches, struct choice *choices, size_t begin, size_t end,
-                      struct csg_draw *draws, uint32_t *num_drawn)
+static bool add_alike(struct csg_batches *batches, struct csg_choice *choices, size_t begin,
+                      size_t end, struct csg_draw *draws, uint32_t *num_drawn)
 {
-    const struct choice first = choices[begin];
+    const struct csg_choice first = choices[begin];
     for (size_t i = begin; i < end; i++) {
-        struct choice *choice = &choices[i];
+        struct csg_choice *choice = &choices[i];
         if (choice->placed || choice->program != first.program || choice->point != first.point)
             continue;
         choice->placed = true;
@@ -468,7 +82,7 @@ static bool add_alike(struct csg_batches *batches, struct choice *choices, size_
 
 /* Objects in the order of the file; the tiles of one do not overlap, so those of one program come
  * together. */
-static bool add_draws(struct csg_batches *batches, struct choice *choices, size_t num,
+static bool add_draws(struct csg_batches *batches, struct csg_choice *choices, size_t num,
                       struct csg_draw *draws)
 {
     uint32_t num_drawn = 0;
@@ -487,7 +101,7 @@ static bool add_draws(struct csg_batches *batches, struct choice *choices, size_
 
 /* What the statistics and the passes need to know of all draws. */
 static void note_choice(struct csg_batches *batches, struct csgcast_renderer *renderer,
-                        const struct csg_request *request, struct choice *choice, bool is_first)
+                        const struct csg_request *request, struct csg_choice *choice, bool is_first)
 {
     const bool overflowed =
         request->resolver == CSG_RESOLVER_ALGORITHM4 && choice->resolver == CSG_RESOLVER_LOOP;
@@ -502,52 +116,18 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
     batches->may_give_up |= csg_may_give_up(&choice->draw, &turns);
 }
 
-/* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
-static bool prepare_single(struct chooser *chooser, uint32_t object,
-                           bool seen[2][CSG_CROWD_MAX_PLANES + 1])
+static bool fill(struct csg_batches *batches, struct csg_chooser *chooser,
+                 struct csgcast_renderer *renderer, const struct csg_request *request,
+                 struct csg_choice *choices)
 {
-    const struct csg_structure structure = structure_of(chooser->request, object);
-    if (structure.num != 1)
-        return true;
-    const struct csg_shape *shape = &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
-    if (shape->num_planes > CSG_CROWD_MAX_PLANES || shape->surface ||
-        seen[shape->has_quadric][shape->num_planes])
-        return true;
-    seen[shape->has_quadric][shape->num_planes] = true;
-    const struct csg_crowd_run run = {.has_quadric = shape->has_quadric,
-                                      .num_planes = (uint32_t)shape->num_planes};
-    struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
-    ball.ball = run.has_quadric && run.num_planes == 0;
-    struct csg_programs *programs = &chooser->renderer->programs;
-    return csg_programs_get(programs, csg_source_single(&run, chooser->direct)) &&
-           csg_programs_get(programs, csg_source_single(&ball, chooser->direct)) &&
-           (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
-            choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
-}
-
-static bool prepare_singles(struct chooser *chooser)
-{
-    const struct csg_request *request = chooser->request;
-    bool seen[2][CSG_CROWD_MAX_PLANES + 1] = {{false}};
-    bool ok = true;
-    if (!request->scene->keeps_structure || request->textbook || request->resolver >= 0)
-        return true;
-    for (uint32_t i = 0; i < request->scene->objects->num && ok; i++)
-        ok = prepare_single(chooser, i, seen);
-    return ok;
-}
-
-static bool fill(struct csg_batches *batches, struct chooser *chooser, struct choice *choices)
-{
-    if (!prepare_singles(chooser))
-        return false;
-    struct csgcast_renderer *renderer = chooser->renderer;
     struct csg_draw *draws = renderer->frame.draws.data;
     const size_t num = renderer->frame.draws.num;
+    if (!csg_chooser_prepare(chooser))
+        return false;
     for (size_t i = 0; i < num; i++) {
-        if (!choose(chooser, &draws[i], &choices[i]))
+        if (!csg_chooser_choose(chooser, &draws[i], &choices[i]))
             return false;
-        note_choice(batches, renderer, chooser->request, &choices[i],
+        note_choice(batches, renderer, request, &choices[i],
                     i == 0 || draws[i - 1].object != draws[i].object);
     }
     return add_draws(batches, choices, num, draws) || csg_log_memory(&renderer->log);
@@ -556,23 +136,11 @@ static bool fill(struct csg_batches *batches, struct chooser *chooser, struct ch
 bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
                       const struct csg_request *request)
 {
-    struct chooser *chooser = calloc(1, sizeof *chooser);
-    struct choice *choices = calloc(renderer->frame.draws.num + 1, sizeof *choices);
-    bool ok = chooser && choices;
-    if (!ok) {
-        csg_log_memory(&renderer->log);
-    } else {
-        *chooser = (struct chooser){
-            .renderer = renderer,
-            .request = request,
-            .direct = batches->direct,
-            .max_handed = max_handed(renderer->gl),
-            .max_point = max_point(renderer->gl)};
-        chooser->common_chain = -1;
-        chooser->common_chain = find_common_chain(chooser);
-        ok = fill(batches, chooser, choices);
-    }
+    struct csg_chooser *chooser = csg_chooser_create(renderer, request, batches->direct);
+    struct csg_choice *choices = calloc(renderer->frame.draws.num + 1, sizeof *choices);
+    const bool ok = chooser && choices ? fill(batches, chooser, renderer, request, choices)
+                                       : csg_log_memory(&renderer->log);
     free(choices);
-    free(chooser);
+    csg_chooser_destroy(chooser);
     return ok && add_crowd(batches, renderer);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/turns.h"
 
-/* Of csg_program_next's loop around a record and csg_clip_planes' around its planes, which turn once
- * more to end. */
+/* Of csg_program_next's loop around a record and csg_clip_planes' around its planes, which turn
+ * once more to end. */
 static double record_turns(const float *head)
 {
     const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];

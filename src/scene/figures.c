@@ -25,8 +25,8 @@ static void warn(const struct csg_args *args, const struct csg_value *at, const 
                     (unsigned)(at ? at->column : args->column), args->node, text);
 }
 
-/* Whether the part of the map that acts in the plane, OpenSCAD ignores the rest, leaves something of
- * a figure. */
+/* Whether the part of the map that acts in the plane, OpenSCAD ignores the rest, leaves something
+ * of a figure. */
 static bool is_regular(const struct csg_args *args, const struct csg_space *space)
 {
     struct csg_map inverse;

@@ -33,7 +33,8 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
             all = is_cylinder(walk, i);
     if (all && walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN) {
         ok = csg_part_read(walk, node + 1, end, in_boolean, CSG_WANT_EXACT, &inner) &&
-             (inner.has_flat || csg_disc_hull(part, &inner, taken) || csg_log_memory(&walk->builder->report->log));
+             (inner.has_flat || csg_disc_hull(part, &inner, taken) ||
+              csg_log_memory(&walk->builder->report->log));
     }
     csg_part_finish(&inner);
     return ok;

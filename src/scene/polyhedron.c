@@ -152,7 +152,8 @@ bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct 
 {
     struct csg_mesh mesh = {0};
     (void)in_boolean;
-    const bool ok = read_mesh(args, walk->points_only, &mesh) && csg_polyhedron_clean(walk, node, true, &mesh) &&
+    const bool ok = read_mesh(args, walk->points_only, &mesh) &&
+                    csg_polyhedron_clean(walk, node, true, &mesh) &&
                     csg_polyhedron_add(walk, node, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;

@@ -6,8 +6,8 @@
 #include "scene/walk.h"
 #include "solids/value.h"
 
-/* Cleans the node's mesh, whose faces OpenSCAD has in that order or reversed. false, with a message,
- * when memory is out. */
+/* Cleans the node's mesh, whose faces OpenSCAD has in that order or reversed. false, with a
+ * message, when memory is out. */
 bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh);
 

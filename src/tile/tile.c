@@ -254,7 +254,8 @@ static bool reserve(struct tiler *tiler, size_t num)
     tiler->stacks.num = 0;
     return csg_array_reserve(&tiler->leaves, num) &&
            csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
-           csg_array_reserve(&tiler->known, tiler->terms->leaves.num) && csg_array_reserve(&tiler->nodes, num) &&
+           csg_array_reserve(&tiler->known, tiler->terms->leaves.num) &&
+           csg_array_reserve(&tiler->nodes, num) &&
            csg_array_reserve(&tiler->contexts, num);
 }
 
@@ -295,8 +296,8 @@ static int tile_size(const struct tiler *tiler)
 }
 
 /* A tile's edge between lo and hi, which are more than a tile apart, near their middle. Edges are
- * multiples of the size: drivers draw blocks of pixels, and a tile that lies across them has more of
- * them than it need have. */
+ * multiples of the size: drivers draw blocks of pixels, and a tile that lies across them has more
+ * of them than it need have. */
 static int edge_between(int lo, int hi, int tile)
 {
     const int middle = (lo + (hi - lo) / 2 + tile - 1) / tile * tile;

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+#include "render/inputs.h"
+
+#include <stddef.h>
+
+#include "pack/textbook.h"
+
+/* Overlays coincide with surfaces that they repeat: let them win by some steps of the buffer. */
+#define OVERLAY_DEPTH_BIAS 2e-6f
+
+static void set_textbook_rays(const struct csg_picture *picture, GLuint program)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csg_textbook_rays rays =
+        csg_textbook_rays(&picture->renderer->frame.screen, picture->renderer->frame.at);
+    gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_origin"), 3, rays.origin);
+    gl->Uniform3fv(gl->GetUniformLocation(program, "csg_ray_direction"), 3, rays.direction);
+    gl->Uniform1f(gl->GetUniformLocation(program, "csg_ray_start"), rays.start);
+}
+
+static void set_light(const struct csg_picture *picture, const struct csg_uniforms *at)
+{
+    const struct csgcast_frustum *frustum = &picture->request->frustum;
+    float light[3];
+    for (int i = 0; i < 3; i++)
+        light[i] = (float)(CSG_LIGHT_X * frustum->right[i] + CSG_LIGHT_Y * frustum->up[i] -
+                           CSG_LIGHT_Z * frustum->forward[i]);
+    picture->gl->Uniform4f(at->light, light[0], light[1], light[2], (float)CSG_LIGHT_AMBIENT);
+}
+
+void csg_inputs_set(const struct csg_picture *picture, GLuint program)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csg_screen *screen = &picture->renderer->frame.screen;
+    const struct csg_uniforms *at =
+        &csg_programs_find(&picture->renderer->programs, program)->uniforms;
+    gl->UseProgram(program);
+    gl->Uniform1i(at->data, 0);
+    gl->Uniform1i(at->visible, 1);
+    gl->Uniform1i(at->cells, CSG_CELLS_UNIT);
+    gl->Uniform2f(at->window, 0, (float)picture->first_row);
+    gl->Uniform2f(at->at, (float)picture->renderer->frame.at.x,
+                  (float)picture->renderer->frame.at.y);
+    gl->Uniform4f(at->screen_depth, screen->depth[0], screen->depth[1], screen->depth[2],
+                  screen->depth[3]);
+    gl->Uniform4f(at->screen_key, (float)screen->a, (float)screen->b, (float)screen->k_far,
+                  screen->orthographic || screen->textbook);
+    set_light(picture, at);
+    if (screen->textbook)
+        set_textbook_rays(picture, program);
+}
+
+void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool highlight)
+{
+    struct csg_programs *programs = &picture->renderer->programs;
+    struct csg_compiled *compiled = csg_programs_find(programs, program);
+    if (compiled->round == programs->round) {
+        picture->gl->UseProgram(program);
+        return;
+    }
+    compiled->round = programs->round;
+    csg_inputs_set(picture, program);
+    picture->gl->Uniform1f(compiled->uniforms.depth_bias, highlight ? OVERLAY_DEPTH_BIAS : 0);
+}
+
+static void point_instances(struct csg_gl *gl, size_t first)
+{
+    const size_t size = sizeof(struct csg_instance), base = first * size;
+    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
+                            (const void *)(base + offsetof(struct csg_instance, rect)));
+    gl->VertexAttribIPointer(1, 4, GL_INT, (GLsizei)size, /* turns and side come behind records */
+                             (const void *)(base + offsetof(struct csg_instance, records)));
+    for (GLuint i = 0; i < 2; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
+}
+
+/* A crowd's attributes, see crowd/run.h. */
+static void point_crowd(struct csg_gl *gl, const struct csg_crowd_run *run)
+{
+    const GLsizei stride = (GLsizei)(run->stride * sizeof(float));
+    const GLuint num = 2 + run->num_planes + (run->has_quadric ? 3 : 0);
+    for (GLuint i = 0; i < num; i++) {
+        const size_t place = run->first + (i == 0 ? 0 : i == 1 ? run->stride - 1 : 4 * (i - 1));
+        const void *offset = (const void *)(place * sizeof(float));
+        if (i == 1)
+            gl->VertexAttribIPointer(i, 1, GL_INT, stride, offset);
+        else
+            gl->VertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, stride, offset);
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
+}
+
+void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch)
+{
+    struct csg_gl *gl = picture->gl;
+    const struct csgcast_renderer *renderer = picture->renderer;
+    gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER,
+                   batch->run ? renderer->crowd_buffer.id : renderer->instance_buffer.id);
+    if (batch->run)
+        point_crowd(gl, batch->run);
+    else
+        point_instances(gl, batch->first);
+}

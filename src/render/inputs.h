@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_INPUTS_H
+#define CSG_RENDER_INPUTS_H
+
+/* What the programs of a picture read: its uniforms, and the attributes of a batch's instances. */
+
+#include "render/picture.h"
+
+/* Uses the program, with the screen, the light and the textures of the picture. */
+void csg_inputs_set(const struct csg_picture *picture, GLuint program);
+
+/* The same for a geometry program, once a round: many batches share one. highlight: it repeats
+ * surfaces that are there already, and shall win. */
+void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool highlight);
+
+void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch);
+
+#endif
