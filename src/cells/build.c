@@ -21,16 +21,10 @@ static size_t count_leaves(const struct csg_tree *tree)
     return num;
 }
 
-static struct csg_box grown(const struct csg_box *box, double by)
-{
-    const struct csg_vec3 d = csg_vec3(by, by, by);
-    return (struct csg_box){csg_sub(box->lo, d), csg_add(box->hi, d)};
-}
-
 /* What is left of the tree in the box. */
 static bool fold(struct csg_cell_builder *builder, const struct csg_box *box, struct csg_tree *tree)
 {
-    const struct csg_box around = grown(box, builder->margin);
+    const struct csg_box around = csg_box_grown(box, builder->margin);
     for (size_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF)
             builder->known[tree->data[i].leaf] = csg_side_of_leaf(
@@ -78,7 +72,7 @@ static bool put_literal(struct csg_cell_builder *builder, const struct csg_step 
 
 static bool put_cell(struct csg_cell_builder *builder, const struct csg_work *work)
 {
-    const struct csg_box around = grown(&work->box, builder->margin);
+    const struct csg_box around = csg_box_grown(&work->box, builder->margin);
     struct csg_branch *branch = &builder->branches.data[work->branch];
     branch->kind = CSG_BRANCH_CELL;
     if (builder->bunched) {
@@ -146,7 +140,7 @@ static bool add_work(struct csg_cell_builder *builder, struct csg_work work)
 {
     bool ok = fold(builder, &work.box, &work.tree);
     const size_t num = count_leaves(&work.tree);
-    work.cost = (double)num * csg_split_area(&work.box);
+    work.cost = (double)num * csg_box_half_area(&work.box);
     if (ok && num > (builder->bunched ? SMALL_BUNCHED : SMALL_CELL) && work.depth < MAX_DEPTH) {
         ok = push_work(builder, &work);
         if (ok)

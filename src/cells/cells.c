@@ -101,18 +101,6 @@ static bool *find_boxes(const struct csgcast_scene *scene, const struct csg_obje
     return boxes;
 }
 
-static bool object_tree(const struct csgcast_scene *scene, const struct csg_object *object,
-                        struct csg_tree *tree)
-{
-    const struct csg_tree part = {scene->trees[object->layer].data + object->begin,
-                                  object->end - object->begin, 0};
-    if (!csg_tree_copy(&part, tree))
-        return false;
-    for (size_t i = 0; i < tree->num; i++)
-        tree->data[i].end -= object->begin;
-    return true;
-}
-
 static size_t max_branches(const struct csgcast_scene *scene, const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
@@ -140,7 +128,8 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
     job->top.margin = cells->margin;
     job->top.bunched = cells->bunched =
         csg_bunches_can_hold(scene, object, &job->top.bunches.quadrics);
-    if (!job->places || !job->is_box || !object_tree(scene, object, &tree))
+    if (!job->places || !job->is_box ||
+        !csg_tree_append(&tree, scene->trees[object->layer].data, object->begin, object->end))
         return false;
     job->top.max_branches = max_branches(scene, object);
     csg_cell_builder_start(&job->top, &cells->box, &tree, 0);

@@ -27,12 +27,6 @@ struct places {
     size_t begun[MAX_PLACES + 1], ended[MAX_PLACES + 1]; /* leaves between two places */
 };
 
-double csg_split_area(const struct csg_box *box)
-{
-    const struct csg_vec3 d = csg_sub(box->hi, box->lo);
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-}
-
 struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *split, bool upper)
 {
     struct csg_box part = *box;
@@ -69,7 +63,7 @@ static size_t find_largest(const struct csg_splitter *splitter, size_t largest[N
     double areas[NUM_LARGEST];
     size_t num = 0;
     for (size_t i = 0; i < splitter->leaves.num; i++) {
-        const double own = csg_split_area(&splitter->leaves.data[i].box);
+        const double own = csg_box_half_area(&splitter->leaves.data[i].box);
         if (num == NUM_LARGEST && own <= areas[num - 1])
             continue;
         size_t at = num < NUM_LARGEST ? num++ : num - 1;
@@ -150,9 +144,9 @@ static void choose(const struct csg_box *box, int axis, const struct places *pla
         struct csg_split split = {axis, places->at[i], 0};
         const struct csg_box lower = csg_split_box(box, &split, false);
         const struct csg_box upper = csg_split_box(box, &split, true);
-        split.cost = COST_OF_CUT + ((double)below * csg_split_area(&lower) +
-                                    (double)above * csg_split_area(&upper)) /
-                                       csg_split_area(box);
+        split.cost = COST_OF_CUT + ((double)below * csg_box_half_area(&lower) +
+                                    (double)above * csg_box_half_area(&upper)) /
+                                       csg_box_half_area(box);
         if (split.cost < best->cost)
             *best = split;
     }

@@ -35,9 +35,6 @@ static inline double csg_vec3_component(struct csg_vec3 a, int axis)
 }
 
 /* The box with one of its ends moved. */
-/* Half of the box's surface. */
-double csg_split_area(const struct csg_box *box);
-
 struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *split, bool upper);
 
 #endif

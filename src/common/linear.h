@@ -104,6 +104,12 @@ void csg_box_extend(struct csg_box *box, struct csg_vec3 p);
 struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b);
 struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b);
 
+/* The box with all its faces moved outwards by so much. */
+struct csg_box csg_box_grown(const struct csg_box *box, double by);
+
+/* Half of its surface; 0 where it is empty. */
+double csg_box_half_area(const struct csg_box *box);
+
 /* Corner 0..7: bit 0 takes hi.x, bit 1 hi.y, bit 2 hi.z. */
 struct csg_vec3 csg_box_corner(const struct csg_box *box, int corner);
 

@@ -44,13 +44,8 @@ struct distributor {
     struct csg_box *boxes; /* of the nodes of from */
     uint8_t *known;        /* by leaf */
     struct csg_tree part, to;
+    bool distributed; /* some object was */
 };
-
-static double half_area(const struct csg_box *box)
-{
-    const struct csg_vec3 size = csg_sub(box->hi, box->lo);
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
 
 /* Operands of a union that is worth it; 0: it has one without end. */
 static size_t count_bounded(const struct distributor *at, uint32_t node)
@@ -92,29 +87,16 @@ static bool is_opaque(const struct distributor *at)
     return true;
 }
 
-static bool append(struct csg_tree *tree, const struct csg_node *nodes, uint32_t begin,
-                   uint32_t end)
-{
-    const uint32_t shift = (uint32_t)tree->num - begin;
-    if (!csg_array_reserve(tree, end - begin))
-        return false;
-    for (uint32_t i = begin; i < end; i++) {
-        tree->data[tree->num] = nodes[i];
-        tree->data[tree->num++].end += shift;
-    }
-    return true;
-}
-
 /* The part of one operand, with all that it is cut by. */
 static bool gather(struct distributor *at, uint32_t operand)
 {
     const struct csg_node *nodes = at->from->data;
     const struct csg_node *root = &nodes[at->object->begin];
     at->part.num = 0;
-    bool ok =
-        csg_array_push(&at->part, *root) && append(&at->part, nodes, operand, nodes[operand].end);
+    bool ok = csg_array_push(&at->part, *root) &&
+              csg_tree_append(&at->part, nodes, operand, nodes[operand].end);
     for (uint32_t i = at->object->begin + 1; i < at->object->end && ok; i = nodes[i].end)
-        ok = i == at->wide || append(&at->part, nodes, i, nodes[i].end);
+        ok = i == at->wide || csg_tree_append(&at->part, nodes, i, nodes[i].end);
     if (ok)
         at->part.data[0].end = (uint32_t)at->part.num;
     return ok;
@@ -158,8 +140,7 @@ static bool add_part(struct distributor *at, uint32_t operand, uint32_t minuend)
     const struct csg_box box = csg_box_intersection(&at->boxes[operand], &at->object->box);
     if (csg_box_is_empty(&box))
         return true;
-    const struct csg_vec3 margin = csg_vec3(at->margin, at->margin, at->margin);
-    const struct csg_box around = {csg_sub(box.lo, margin), csg_add(box.hi, margin)};
+    const struct csg_box around = csg_box_grown(&box, at->margin);
     if (!gather(at, operand) || !fold(at, operand, &around))
         return false;
     if (at->part.num == 0)
@@ -167,17 +148,17 @@ static bool add_part(struct distributor *at, uint32_t operand, uint32_t minuend)
     if (at->part.data[0].op != CSG_LEAF)
         at->part.data[0].leaf = minuend;
     if (at->part.num > at->from->data[operand].end - operand) {
-        at->overlap += half_area(&box);
+        at->overlap += csg_box_half_area(&box);
         at->surfaces += weigh_surfaces(at);
     }
-    return append(&at->to, at->part.data, 0, (uint32_t)at->part.num);
+    return csg_tree_append(&at->to, at->part.data, 0, (uint32_t)at->part.num);
 }
 
 static bool pays(const struct distributor *at, size_t num_nodes)
 {
     const double before = at->object->end - at->object->begin;
     const double growth = fmax((double)num_nodes / before - 1, 0);
-    return growth * at->overlap <= MAX_EXTRA * half_area(&at->object->box);
+    return growth * at->overlap <= MAX_EXTRA * csg_box_half_area(&at->object->box);
 }
 
 static bool add_parts(struct distributor *at, size_t num)
@@ -197,10 +178,12 @@ static bool add_parts(struct distributor *at, size_t num)
             return false;
         fits = at->to.num + at->surfaces <= most;
     }
-    if (fits && pays(at, at->to.num - begin))
+    if (fits && pays(at, at->to.num - begin)) {
+        at->distributed = true;
         return true;
+    }
     at->to.num = begin;
-    return append(&at->to, nodes, object->begin, object->end);
+    return csg_tree_append(&at->to, nodes, object->begin, object->end);
 }
 
 static bool add_object(struct distributor *at)
@@ -208,7 +191,7 @@ static bool add_object(struct distributor *at)
     const size_t num = find_wide(at);
     if (num >= MIN_OPERANDS && csg_box_is_finite(&at->object->box) && is_opaque(at))
         return add_parts(at, num);
-    return append(&at->to, at->from->data, at->object->begin, at->object->end);
+    return csg_tree_append(&at->to, at->from->data, at->object->begin, at->object->end);
 }
 
 static bool add_objects(struct distributor *at)
@@ -239,25 +222,6 @@ static bool find_parts(struct distributor *at, const struct csgcast_scene *scene
     return ok;
 }
 
-/* done: nothing was distributed. */
-static bool pass(struct csgcast_scene *scene, bool *done)
-{
-    struct distributor at = {0};
-    struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
-    if (!find_parts(&at, scene)) {
-        free(at.to.data);
-        return false;
-    }
-    *done = at.to.num == tree->num;
-    free(tree->data);
-    *tree = at.to;
-    scene->info.num_objects -= scene->objects->num;
-    scene->objects->num = 0;
-    const bool ok = csg_objects_split(scene, scene->objects);
-    scene->info.num_objects += scene->objects->num; /* fewer than these, where there are spares */
-    return ok;
-}
-
 static bool is_wanted(const struct csgcast_scene *scene)
 {
     const struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
@@ -272,10 +236,30 @@ static bool is_wanted(const struct csgcast_scene *scene)
     return false;
 }
 
+/* done: nothing was distributed. */
+static bool pass(struct csgcast_scene *scene, bool *done)
+{
+    struct distributor at = {0};
+    struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
+    const bool found = find_parts(&at, scene);
+    *done = !at.distributed;
+    if (!found || *done) {
+        free(at.to.data);
+        return found;
+    }
+    free(tree->data);
+    *tree = at.to;
+    scene->info.num_objects -= scene->objects->num;
+    scene->objects->num = 0;
+    const bool ok = csg_objects_split(scene, scene->objects);
+    scene->info.num_objects += scene->objects->num; /* fewer than these, where there are spares */
+    return ok;
+}
+
 bool csg_distribute(struct csgcast_scene *scene)
 {
-    bool done = !is_wanted(scene);
-    for (int i = 0; i < MAX_PASSES && !done; i++)
+    bool done = false;
+    for (int i = 0; i < MAX_PASSES && !done && is_wanted(scene); i++)
         if (!pass(scene, &done))
             return false;
     return true;

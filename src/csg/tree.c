@@ -126,6 +126,19 @@ bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy)
     return true;
 }
 
+bool csg_tree_append(struct csg_tree *tree, const struct csg_node *nodes, uint32_t begin,
+                     uint32_t end)
+{
+    const uint32_t shift = (uint32_t)tree->num - begin;
+    if (!csg_array_reserve(tree, end - begin))
+        return false;
+    for (uint32_t i = begin; i < end; i++) {
+        tree->data[tree->num] = nodes[i];
+        tree->data[tree->num++].end += shift;
+    }
+    return true;
+}
+
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory)
 {
     CSG_ARRAY(uint32_t) ends = {0};

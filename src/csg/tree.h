@@ -68,6 +68,10 @@ void csg_tree_room_finish(struct csg_tree_room *room);
 /* copy, zeroed before, becomes an equal tree. false: out of memory. */
 bool csg_tree_copy(const struct csg_tree *tree, struct csg_tree *copy);
 
+/* Appends a copy of whole subtrees, nodes [begin, end) of another tree. false: out of memory. */
+bool csg_tree_append(struct csg_tree *tree, const struct csg_node *nodes, uint32_t begin,
+                     uint32_t end);
+
 /* The first operand of the outermost union; the next ones are at their ends, below tree->num. */
 static inline uint32_t csg_tree_first_operand(const struct csg_tree *tree)
 {

@@ -38,12 +38,6 @@ static double component(struct csg_vec3 v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static double half_area(const struct csg_box *box)
-{
-    const struct csg_vec3 size = csg_sub(box->hi, box->lo);
-    return box->lo.x > box->hi.x ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 static int bin_of(double x, double lo, double scale)
 {
     const double bin = (x - lo) * scale;
@@ -67,14 +61,14 @@ static double best_cut(const struct item *items, uint32_t num, int axis, double 
     for (int i = num_bins; i-- > 1;) {
         sum.box = csg_box_union(&sum.box, &bins[i].box);
         sum.num += bins[i].num;
-        after[i] = sum.num ? half_area(&sum.box) * sum.num : INFINITY;
+        after[i] = sum.num ? csg_box_half_area(&sum.box) * sum.num : INFINITY;
     }
     double least = INFINITY;
     sum = (struct bin){csg_box_empty, 0};
     for (int i = 1; i < num_bins; i++) {
         sum.box = csg_box_union(&sum.box, &bins[i - 1].box);
         sum.num += bins[i - 1].num;
-        const double cost = sum.num ? half_area(&sum.box) * sum.num + after[i] : INFINITY;
+        const double cost = sum.num ? csg_box_half_area(&sum.box) * sum.num + after[i] : INFINITY;
         if (cost < least) {
             least = cost;
             *cut = i;

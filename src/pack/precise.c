@@ -113,7 +113,7 @@ bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
         }
         num_precise += precision->precise;
     }
-    return num_precise == 0 || num_precise == frame->listed.num || 
+    return num_precise == 0 || num_precise == frame->listed.num ||
            spread_to_sharers(frame, scene, params->leaves);
 }
 

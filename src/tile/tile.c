@@ -427,15 +427,11 @@ static bool object_tree(struct tiler *tiler, const struct csg_object *object,
                         struct csg_tree *tree)
 {
     const struct csg_stacks *stacks = &tiler->terms->stacks;
-    const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data + object->begin;
-    const struct csg_tree part = {(struct csg_node *)nodes, object->end - object->begin, 0};
+    const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data;
+    *tree = (struct csg_tree){0};
     if (stacks->list.num)
-        return copy_tree(tiler, &stacks->tree, tree);
-    if (!copy_tree(tiler, &part, tree))
-        return false;
-    for (size_t i = 0; i < tree->num; i++)
-        tree->data[i].end -= object->begin;
-    return true;
+        return csg_tree_copy(&stacks->tree, tree);
+    return csg_tree_append(tree, nodes, object->begin, object->end);
 }
 
 static bool run_all(struct tiler *tiler)
