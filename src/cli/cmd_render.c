@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 
@@ -118,7 +119,7 @@ static bool write_image(const char *path, const struct csg_cli_options *options,
     return csgcast_image_write(path, view->width, view->height, image, &params);
 }
 
-/* ---- the command ---------------------------------------------------------------------------- */
+/* ---- a scene and its picture ---------------------------------------------------------------- */
 
 /* A scene that is loaded, and the renderer that has been starting meanwhile. */
 struct drawing {
@@ -172,19 +173,95 @@ static void warn_defines(const struct csg_cli_options *options)
     }
 }
 
+/* ---- animations ----------------------------------------------------------------------------- */
+
+/* "dir/a.png" gives "dir/a00007.png", as openscad --animate names it; NULL: out of memory. */
+static char *frame_path(const char *output, int frame)
+{
+    const char *slash = strrchr(output, '/'), *dot = strrchr(output, '.');
+    const size_t length = strlen(output);
+    const size_t stem = dot && (!slash || dot > slash + 1) && dot > output
+                            ? (size_t)(dot - output)
+                            : length;
+    char *path = malloc(length + 12);
+    if (path)
+        snprintf(path, length + 12, "%.*s%05d%s", (int)stem, output, frame, output + stem);
+    return path;
+}
+
+static enum csg_cli_exit render_frame(const struct csg_cli_options *options, const char *output,
+                                      const struct csgcast_animation *animation, int frame,
+                                      struct csgcast_renderer *renderer)
+{
+    char *path = frame_path(output, frame);
+    struct csgcast_scene *scene = path ? csgcast_animation_scene(animation, frame) : NULL;
+    const struct drawing drawing = {options, scene, renderer};
+    const enum csg_cli_exit result = scene ? render_scene(&drawing, path) : CSG_EXIT_FAILED;
+    if (!path)
+        csg_cli_error("out of memory");
+    csgcast_scene_destroy(scene);
+    free(path);
+    return result;
+}
+
+static void tell_progress(const struct csg_cli_options *options, int frame)
+{
+    if (!options->quiet && isatty(STDERR_FILENO))
+        fprintf(stderr, "\rcsgcast: frame %d of %d%s", frame, options->num_animated,
+                frame == options->num_animated ? "\n" : "");
+}
+
+static enum csg_cli_exit render_animation(const struct csg_cli_options *options,
+                                          const char *output, struct csgcast_renderer *renderer)
+{
+    struct csgcast_animation *animation =
+        csgcast_animation_load(options->input, options->num_animated, &options->scene);
+    enum csg_cli_exit result = animation ? CSG_EXIT_OK : CSG_EXIT_FAILED;
+    for (int i = 0; i < options->num_animated && result == CSG_EXIT_OK; i++) {
+        tell_progress(options, i + 1);
+        result = render_frame(options, output, animation, i, renderer);
+    }
+    csgcast_animation_destroy(animation);
+    return result;
+}
+
+static bool can_animate(const struct csg_cli_options *options, const char *output)
+{
+    if (!has_extension(options->input, ".scad"))
+        csg_cli_error("--animate needs a .scad file: %s has no $t", options->input);
+    else if (!strcmp(output, "-"))
+        csg_cli_error("--animate writes a file for each frame, not to standard output");
+    else
+        return true;
+    return false;
+}
+
+/* ---- the command ---------------------------------------------------------------------------- */
+
+static enum csg_cli_exit render_still(const struct csg_cli_options *options, const char *output,
+                                      struct csgcast_renderer *renderer)
+{
+    struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
+    const struct drawing drawing = {options, scene, renderer};
+    const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
+    csgcast_scene_destroy(scene);
+    return result;
+}
+
 static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output)
 {
+    if (options->num_animated > 0 && !can_animate(options, output))
+        return CSG_EXIT_USAGE;
     warn_defines(options);
     if (!is_png(output, options->write.format)) /* libpng is there */
         csgcast_image_preload();
     struct csgcast_renderer_params params = options->renderer;
     params.background = true;
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
-    struct csgcast_scene *scene =
-        renderer ? csgcast_scene_load(options->input, &options->scene) : NULL;
-    const struct drawing drawing = {options, scene, renderer};
-    const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
-    csgcast_scene_destroy(scene);
+    const enum csg_cli_exit result = !renderer ? CSG_EXIT_FAILED
+                                     : options->num_animated > 0
+                                         ? render_animation(options, output, renderer)
+                                         : render_still(options, output, renderer);
     csgcast_renderer_destroy(renderer);
     return result;
 }
@@ -205,6 +282,8 @@ const struct csg_cli_command csg_command_render = {
             "  csgcast render part.scad -o part.png --imgsize=1024,768 --projection=o\n"
             "  csgcast render part.csg -o part.png --camera=0,0,0,55,0,25,140\n"
             "  csgcast render part.scad -D 'width=30' -o wide.png\n"
+            "  csgcast render part.scad -p part.json -P large -o large.png\n"
+            "  csgcast render engine.scad --animate=60 -o frame.png\n"
             "  csgcast render part.csg -o part.exr --aov=Z,N,id\n"
             "  openscad -o - --export-format csg part.scad | csgcast render - -o - > part.png\n",
     .run = run,

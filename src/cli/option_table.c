@@ -2,12 +2,12 @@
 #include "option_table.h"
 
 #include "instrument_options.h"
+#include "scene_options.h"
 #include "values.h"
+#include "view_options.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-#define MAX_IMAGE_SIZE 16384 /* pixels; csgcast_view's limit */
 #define MAX_FRAMES 100000    /* of a measurement */
 
 static const char *set_output(struct csg_cli_options *options, const char *value)
@@ -24,223 +24,6 @@ static const char *set_format(struct csg_cli_options *options, const char *value
 {
     options->write.format = value;
     return *value ? NULL : "png, exr, tif, ...";
-}
-
-static const char *set_imgsize(struct csg_cli_options *options, const char *value)
-{
-    double size[2];
-    if (csg_value_list(value, size, 2) != 2)
-        return "WIDTH,HEIGHT";
-    for (int i = 0; i < 2; i++) {
-        if (size[i] < 1 || size[i] > MAX_IMAGE_SIZE || size[i] != (int)size[i])
-            return "two whole numbers from 1 to 16384";
-    }
-    options->view.width = (int)size[0];
-    options->view.height = (int)size[1];
-    return NULL;
-}
-
-static const char *set_camera(struct csg_cli_options *options, const char *value)
-{
-    struct csgcast_camera *camera = &options->view.camera;
-    double v[7];
-    const size_t num = csg_value_list(value, v, 7);
-    if (num == 7) {
-        camera->kind = CSGCAST_CAMERA_GIMBAL;
-        memcpy(camera->translate, v, sizeof camera->translate);
-        memcpy(camera->rotate, v + 3, sizeof camera->rotate);
-        camera->distance = v[6];
-    } else if (num == 6) {
-        camera->kind = CSGCAST_CAMERA_VECTOR;
-        memcpy(camera->eye, v, sizeof camera->eye);
-        memcpy(camera->center, v + 3, sizeof camera->center);
-    } else {
-        return "7 numbers tx,ty,tz,rx,ry,rz,distance or 6 numbers ex,ey,ez,cx,cy,cz";
-    }
-    options->camera = value;
-    return NULL;
-}
-
-static const char *set_projection(struct csg_cli_options *options, const char *value)
-{
-    static const struct csg_value_name names[] = {
-        {"p", CSGCAST_PERSPECTIVE},
-        {"perspective", CSGCAST_PERSPECTIVE},
-        {"o", CSGCAST_ORTHOGRAPHIC},
-        {"ortho", CSGCAST_ORTHOGRAPHIC},
-        {"orthographic", CSGCAST_ORTHOGRAPHIC},
-        {"orthogonal", CSGCAST_ORTHOGRAPHIC},
-        {NULL, 0},
-    };
-    int projection;
-    if (!csg_value_enum(value, names, &projection))
-        return "p (perspective) or o (orthographic)";
-    options->view.camera.projection = (enum csgcast_projection)projection;
-    return NULL;
-}
-
-static const char *set_viewall(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->view.camera.viewall = true;
-    return NULL;
-}
-
-static const char *set_autocenter(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->view.camera.autocenter = true;
-    return NULL;
-}
-
-static const char *set_fov(struct csg_cli_options *options, const char *value)
-{
-    double *fov = &options->view.camera.fov;
-    if (!csg_value_double(value, fov) || !(*fov > 0 && *fov < 180))
-        return "degrees between 0 and 180";
-    return NULL;
-}
-
-static const char *set_colorscheme(struct csg_cli_options *options, const char *value)
-{
-    options->view.colorscheme = value;
-    for (size_t i = 0; csgcast_colorscheme_name(i); i++) {
-        if (!strcmp(csgcast_colorscheme_name(i), value))
-            return NULL;
-    }
-    return "one of the names that `csgcast help render` lists";
-}
-
-static const char *set_cut_color(struct csg_cli_options *options, const char *value)
-{
-    static const struct csg_value_name names[] = {
-        {"openscad", CSGCAST_CUT_OPENSCAD}, {"minuend", CSGCAST_CUT_MINUEND}, {NULL, 0}};
-    int cut_color;
-    if (!csg_value_enum(value, names, &cut_color))
-        return "openscad or minuend";
-    options->view.cut_color = (enum csgcast_cut_color)cut_color;
-    return NULL;
-}
-
-static const char *set_define(struct csg_cli_options *options, const char *value)
-{
-    const char *equals = strchr(value, '=');
-    if (!equals || equals == value)
-        return "NAME=VALUE";
-    options->defines[options->scene.num_defines++] = value;
-    return NULL;
-}
-
-/* openscad --render flattens the model as for export; what a .scad sees of that is $preview. */
-static const char *set_render(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    return set_define(options, "$preview=false");
-}
-
-static const char *set_facets(struct csg_cli_options *options, const char *value)
-{
-    static const struct csg_value_name names[] = {{"auto", CSGCAST_FACETS_AUTO},
-                                                  {"exact", CSGCAST_FACETS_EXACT},
-                                                  {"as-written", CSGCAST_FACETS_AS_WRITTEN},
-                                                  {NULL, 0}};
-    int facets;
-    if (!csg_value_enum(value, names, &facets))
-        return "auto, exact or as-written";
-    options->scene.facets = (enum csgcast_facets)facets;
-    options->facets = value;
-    return NULL;
-}
-
-static const char *set_skip_unsupported(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->scene.skip_unsupported = true;
-    return NULL;
-}
-
-static const char *set_openscad(struct csg_cli_options *options, const char *value)
-{
-    options->scene.openscad = value;
-    return *value ? NULL : "a program";
-}
-
-static const char *set_no_handoff(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->scene.no_handoff = true;
-    return NULL;
-}
-
-static const char *set_cache(struct csg_cli_options *options, const char *value)
-{
-    options->scene.cache = value;
-    return *value ? NULL : "a directory; see --no-cache";
-}
-
-static const char *set_no_cache(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->scene.cache = "";
-    return NULL;
-}
-
-static const char *set_cache_size(struct csg_cli_options *options, const char *value)
-{
-    double mebibytes;
-    if (!csg_value_double(value, &mebibytes) || !(mebibytes > 0 && mebibytes < 1e9))
-        return "mebibytes above 0";
-    options->scene.cache_size = (uint64_t)(mebibytes * (1 << 20)) + 1;
-    return NULL;
-}
-
-static const char *set_clear(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->clear = true;
-    return NULL;
-}
-
-static const char *set_backend(struct csg_cli_options *options, const char *value)
-{
-    /* The last four are the mesh kernels of OpenSCAD's option of this name: any of ours will do. */
-    static const struct csg_value_name names[] = {{"auto", CSGCAST_BACKEND_AUTO},
-                                                  {"egl", CSGCAST_BACKEND_EGL},
-                                                  {"osmesa", CSGCAST_BACKEND_OSMESA},
-                                                  {"reference", CSGCAST_BACKEND_REFERENCE},
-                                                  {"Manifold", CSGCAST_BACKEND_AUTO},
-                                                  {"manifold", CSGCAST_BACKEND_AUTO},
-                                                  {"CGAL", CSGCAST_BACKEND_AUTO},
-                                                  {"cgal", CSGCAST_BACKEND_AUTO},
-                                                  {NULL, 0}};
-    int backend;
-    if (!csg_value_enum(value, names, &backend))
-        return "auto, egl, osmesa or reference";
-    options->renderer.backend = (enum csgcast_backend)backend;
-    return NULL;
-}
-
-static const char *set_threads(struct csg_cli_options *options, const char *value)
-{
-    int num;
-    if (!csg_value_int(value, &num) || num < 0 || num > 64)
-        return "0 to 64";
-    options->renderer.num_threads = options->scene.num_threads = num;
-    if (num > 0)
-        setenv("LP_NUM_THREADS", value, 0); /* for llvmpipe, which is loaded later */
-    return NULL;
-}
-
-static const char *set_variant(struct csg_cli_options *options, const char *value)
-{
-    options->view.variant = value;
-    if (!strcmp(value, "auto"))
-        return NULL;
-    for (size_t i = 0; csgcast_variant_name(i); i++) {
-        if (!strcmp(csgcast_variant_name(i), value))
-            return NULL;
-    }
-    return "auto or one of the names that `csgcast help render` lists";
 }
 
 /* Takes one name of length letters; false when it is none of ours. */
@@ -417,59 +200,65 @@ const struct csg_option csg_option_table[] = {
      "what an EXR carries besides colour: Z (distance along the view\n"
      "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
      set_aov},
-    {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512", set_imgsize},
+    {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512", csg_set_imgsize},
     {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
      "default: rotation 55,0,25, the whole scene in view",
-     set_camera},
+     csg_set_camera},
     {"projection", 0, REQUIRED, VIEW, "p|o", "perspective (default) or orthographic",
-     set_projection},
+     csg_set_projection},
     {"viewall", 0, NONE, VIEW, NULL, "move the camera so that the whole scene is in view",
-     set_viewall},
-    {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", set_autocenter},
-    {"fov", 0, REQUIRED, VIEW, "DEGREES", "vertical field of view; default 22.5", set_fov},
+     csg_set_viewall},
+    {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", csg_set_autocenter},
+    {"fov", 0, REQUIRED, VIEW, "DEGREES", "vertical field of view; default 22.5", csg_set_fov},
     {"colorscheme", 0, REQUIRED, PAINT, "NAME", "OpenSCAD's colour schemes; default Cornfield",
-     set_colorscheme},
+     csg_set_colorscheme},
     {"cut-color", 0, REQUIRED, PAINT, "openscad|minuend",
      "colour of a cut face: as OpenSCAD's preview (default), or the\n"
      "colour of the solid that was cut",
-     set_cut_color},
+     csg_set_cut_color},
     {"define", 'D', REQUIRED, ALL, "NAME=VALUE", "set a variable of a .scad file; repeatable",
-     set_define},
-    {"D", 0, REQUIRED, ALL, "NAME=VALUE", NULL, set_define},
+     csg_set_define},
+    {"D", 0, REQUIRED, ALL, "NAME=VALUE", NULL, csg_set_define},
+    {"p", 'p', REQUIRED, ALL, "FILE", "a customizer's parameters (JSON) for a .scad file",
+     csg_set_parameter_file},
+    {"P", 'P', REQUIRED, ALL, "SET", "which of the sets in it", csg_set_parameter_set},
+    {"animate", 0, REQUIRED, RENDER, "N",
+     "N pictures of a .scad file at $t = 0, 1/N, ...: name00000.png and on",
+     csg_set_animate},
     {"render", 0, OPTIONAL, ALL, NULL, "for .scad: $preview is false, as in OpenSCAD's full render",
-     set_render},
+     csg_set_render},
     {"facets", 0, REQUIRED, ALL | REPORT, "MODE",
      "auto: an explicit $fn up to 12 is a polygon, the rest is exact\n"
      "(default); exact: always; as-written: OpenSCAD's vertices",
-     set_facets},
+     csg_set_facets},
     {"skip-unsupported", 0, NONE, ALL | REPORT, NULL,
-     "draw the rest of a scene with unsupported nodes", set_skip_unsupported},
+     "draw the rest of a scene with unsupported nodes", csg_set_skip_unsupported},
     {"openscad", 0, REQUIRED, ALL | REPORT, "PROGRAM",
      "what flattens .scad files and evaluates subtrees that only it\n"
      "can; default $OPENSCAD or openscad",
-     set_openscad},
-    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", set_no_handoff},
+     csg_set_openscad},
+    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", csg_set_no_handoff},
     {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"
      "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast",
-     set_cache},
-    {"no-cache", 0, NONE, ALL | REPORT, NULL, "neither read nor write it", set_no_cache},
+     csg_set_cache},
+    {"no-cache", 0, NONE, ALL | REPORT, NULL, "neither read nor write it", csg_set_no_cache},
     {"cache-size", 0, REQUIRED, ALL | REPORT, "MIB",
-     "its bound; default $CSGCAST_CACHE_SIZE or 256", set_cache_size},
-    {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
+     "its bound; default $CSGCAST_CACHE_SIZE or 256", csg_set_cache_size},
+    {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", csg_set_clear},
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
-     "auto (default), egl, osmesa, or reference: slow, without OpenGL", set_backend},
+     "auto (default), egl, osmesa, or reference: slow, without OpenGL", csg_set_backend},
     {"threads", 0, REQUIRED, DRAW, "N",
      "threads that read and draw, llvmpipe's too unless LP_NUM_THREADS says how\n"
      "many; default 0: as many as there are cores. Pictures stay the same",
-     set_threads},
+     csg_set_threads},
     {"variant", 0, REQUIRED, DRAW, "NAME",
      "force one way to resolve the Boolean; default auto, of render\n"
      "shared: no program is compiled for this scene alone;\n"
      "double: all of it in double precision;\n"
      "textbook: b^2 - 4ac in float32, to see what it gets wrong",
-     set_variant},
+     csg_set_variant},
     {"stats", 0, NONE, RENDER | INFO, NULL,
      "print what the frame cost: on standard error, info in its report,\n"
      "and then of a frame of 512 by 512 pixels",
@@ -503,9 +292,6 @@ const struct csg_foreign_option csg_foreign_option_table[] = {
     {"summary-file", 0, REQUIRED, false, "use `csgcast info --json`"},
     {"d", 'd', REQUIRED, false, "no dependency file is written"},
     {"m", 'm', REQUIRED, false, "missing files are not made"},
-    {"p", 'p', REQUIRED, true, "give the parameters with -D"},
-    {"P", 'P', REQUIRED, true, "give the parameters with -D"},
-    {"animate", 0, REQUIRED, true, "call csgcast once per frame with -D '$t=...'"},
     {"s", 's', REQUIRED, true, "csgcast writes images, no meshes"},
     {"x", 'x', REQUIRED, true, "csgcast writes images, no drawings"},
     {NULL, 0, NONE, false, NULL},

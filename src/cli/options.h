@@ -55,6 +55,7 @@ struct csg_cli_options {
     const char *facets;   /* the text of --facets */
     const char **defines; /* what scene.defines points to; freed likewise */
     bool quiet, stats, json, no_gl;
+    int num_animated;  /* render: frames of an animation; 0: one picture */
     int num_frames;    /* bench: after the first image */
     bool orbit, edit;  /* bench: what changes from frame to frame */
     int edited_leaf;   /* bench: -1 for the last one */

@@ -54,6 +54,7 @@ struct csgcast_scene {
     struct csg_source *source; /* scene/: the text it was read from */
     struct csg_edits *edits;   /* scene/: NULL until the first edit */
     bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
+    struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
     uint64_t revision;     /* grows with each edit */
     double load_ms, csg_ms; /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves; /* in file order: the public leaf index */

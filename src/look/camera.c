@@ -106,27 +106,41 @@ static bool argument_error(const struct csgcast_scene *scene, const char *text)
     return false;
 }
 
+/* The scene's own camera where it has one and no other was asked for: as OpenSCAD, which then does
+ * without viewall, too. */
+static struct csgcast_camera wanted_camera(const struct csgcast_scene *scene,
+                                           const struct csgcast_camera *asked)
+{
+    struct csgcast_camera camera = *asked;
+    if (asked->kind == CSGCAST_CAMERA_DEFAULT && scene->camera.kind != CSGCAST_CAMERA_DEFAULT) {
+        camera = scene->camera;
+        camera.projection = asked->projection;
+        camera.fov = asked->fov != 0 ? asked->fov : camera.fov;
+    }
+    return camera;
+}
+
 bool csgcast_view_resolve(const struct csgcast_scene *scene, const struct csgcast_view *view,
                           struct csgcast_frustum *frustum)
 {
-    const struct csgcast_camera *camera = &view->camera;
+    const struct csgcast_camera camera = wanted_camera(scene, &view->camera);
     const int width = view->width ? view->width : 512, height = view->height ? view->height : 512;
-    const double fov = camera->fov != 0 ? camera->fov : DEFAULT_FOV;
+    const double fov = camera.fov != 0 ? camera.fov : DEFAULT_FOV;
     if (width < 1 || height < 1 || width > MAX_PIXELS || height > MAX_PIXELS)
         return argument_error(scene, "image size must be 1 to 16384 pixels each way");
     if (!(fov > 0 && fov < 180))
         return argument_error(scene, "field of view must be between 0 and 180 degrees");
-    struct gimbal gimbal = gimbal_of(camera);
-    const bool by_default = camera->kind == CSGCAST_CAMERA_DEFAULT;
-    if (by_default || camera->viewall)
-        frame_scene(scene, by_default || camera->autocenter, fov, &gimbal);
+    struct gimbal gimbal = gimbal_of(&camera);
+    const bool by_default = camera.kind == CSGCAST_CAMERA_DEFAULT;
+    if (by_default || camera.viewall)
+        frame_scene(scene, by_default || camera.autocenter, fov, &gimbal);
     if (!is_finite_camera(&gimbal))
         return argument_error(scene, "the camera needs finite numbers and a distance above 0");
     gimbal_axes(gimbal.rotate, frustum->right, frustum->up, frustum->forward);
     const double target[3] = {gimbal.target.x, gimbal.target.y, gimbal.target.z};
     for (int i = 0; i < 3; i++)
         frustum->eye[i] = target[i] - gimbal.distance * frustum->forward[i];
-    frustum->orthographic = camera->projection == CSGCAST_ORTHOGRAPHIC;
+    frustum->orthographic = camera.projection == CSGCAST_ORTHOGRAPHIC;
     frustum->half_height = tan(0.5 * fov * DEGREE) * (frustum->orthographic ? gimbal.distance : 1);
     frustum->half_width = frustum->half_height * width / height;
     return true;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "common/join.h"
 #include "scene/build.h"
 #include "scene/edits.h"
 #include "scene/handoff.h"
@@ -174,39 +175,35 @@ static struct csgcast_scene *load_csg(const char *path, const struct csgcast_sce
 }
 
 /* Messages about the flattened text say so: its lines are not those of the .scad file. */
-static struct csgcast_scene *load_scad(const char *path, const struct csgcast_scene_params *params,
-                                       const struct csg_log *log)
+struct csgcast_scene *csg_scene_of_frame(const struct csg_flattened *flattened, size_t frame,
+                                         const char *path,
+                                         const struct csgcast_scene_params *params)
 {
-    static const char suffix[] = " (flattened by openscad)";
+    const struct csg_log log = {params->log, params->log_user};
     struct csgcast_scene_params named = *params;
     struct csgcast_scene *scene = NULL;
-    struct csg_bytes text = {0};
-    const char *base = params->name ? params->name : path;
-    const size_t size = strlen(base) + sizeof suffix;
-    char *name = malloc(size);
-    if (!name) {
-        csg_log_memory(log);
-        return NULL;
-    }
-    snprintf(name, size, "%s%s", base, suffix);
+    struct csg_bytes text;
+    char *name = csg_join(params->name ? params->name : path, " (flattened by openscad)");
     named.name = name;
-    if (csg_openscad_flatten(path, params, log, &text))
+    if (!name)
+        csg_log_memory(&log);
+    else if (csg_flattened_read(flattened, frame, &log, &text))
         scene = parse_own(text.data, text.num, &named);
-    else
-        free(text.data);
+    if (scene)
+        scene->camera = csg_flattened_camera(flattened, frame);
     free(name);
     return scene;
 }
 
-/* The folder of a file, to be freed; NULL when memory is out. */
-static char *directory_of(const char *path)
+static struct csgcast_scene *load_scad(const char *path, const struct csgcast_scene_params *params,
+                                       const struct csg_log *log)
 {
-    const char *slash = strrchr(path, '/');
-    const size_t length = slash && slash > path ? (size_t)(slash - path) : 1;
-    char *directory = malloc(length + 1);
-    if (directory)
-        snprintf(directory, length + 1, "%s", slash ? path : ".");
-    return directory;
+    struct csg_flattened flattened = {0};
+    struct csgcast_scene *scene = NULL;
+    if (csg_openscad_flatten(path, params, 0, log, &flattened))
+        scene = csg_scene_of_frame(&flattened, 0, path, params);
+    csg_flattened_finish(&flattened);
+    return scene;
 }
 
 static struct csgcast_scene *load(const char *path, const struct csgcast_scene_params *params,
@@ -218,6 +215,16 @@ static struct csgcast_scene *load(const char *path, const struct csgcast_scene_p
     if (scene)
         scene->load_ms = csg_clock_ms() - start - scene->csg_ms;
     return scene;
+}
+
+char *csg_scene_directory(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash && slash > path ? (size_t)(slash - path) : 1;
+    char *directory = malloc(length + 1);
+    if (directory)
+        snprintf(directory, length + 1, "%s", slash ? path : ".");
+    return directory;
 }
 
 struct csgcast_scene *csgcast_scene_load(const char *path,
@@ -232,7 +239,7 @@ struct csgcast_scene *csgcast_scene_load(const char *path,
     if (used->directory)
         return load(path, used, &log);
     struct csgcast_scene_params placed = *used;
-    char *directory = directory_of(path);
+    char *directory = csg_scene_directory(path);
     if (!directory) {
         csg_log_memory(&log);
         return NULL;

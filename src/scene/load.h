@@ -3,6 +3,7 @@
 #define CSG_SCENE_LOAD_H
 
 #include "csg/scene.h"
+#include "scene/openscad.h"
 #include "scene/source.h"
 
 /*
@@ -11,6 +12,17 @@
  */
 struct csgcast_scene *csg_scene_read(const char *text, size_t size,
                                      const struct csgcast_scene_params *params);
+
+/*
+ * The finished scene of a text that openscad has made of the file at path, with its camera. params
+ * has a directory. NULL: messages were given.
+ */
+struct csgcast_scene *csg_scene_of_frame(const struct csg_flattened *flattened, size_t frame,
+                                         const char *path,
+                                         const struct csgcast_scene_params *params);
+
+/* The folder of a file, to be freed; NULL: out of memory. */
+char *csg_scene_directory(const char *path);
 
 struct csg_origins;
 

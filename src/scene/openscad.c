@@ -12,15 +12,17 @@
 
 #include "common/join.h"
 #include "common/process.h"
+#include "scene/viewpoint.h"
 
 /* One run of openscad. It starts as zeroes. */
 struct run {
     const char *path; /* as the caller named it */
     const char *program;
     const struct csg_log *log;
-    char *input;     /* absolute: openscad resolves -o beside its input file */
-    char *directory; /* temporary, ours alone */
-    char *output;    /* in it; the ending tells openscad the format */
+    struct csg_flattened *flattened;
+    char *input;  /* absolute: openscad resolves -o beside its input file */
+    char *output; /* in the folder; the ending tells openscad the format */
+    char frames[24]; /* how many, as text */
     struct csg_process process;
 };
 
@@ -41,12 +43,13 @@ static bool fail_to_start(const struct run *run, int error)
     return false;
 }
 
-static bool make_directory(struct run *run)
+static bool make_folder(struct run *run)
 {
-    run->directory = csg_folder_make();
-    if (!run->directory)
+    char *folder = csg_folder_make();
+    run->flattened->folder = folder;
+    if (!folder)
         return fail(run, "a temporary folder", errno);
-    run->output = csg_join(run->directory, "/scene.csg");
+    run->output = csg_join(folder, "/scene.csg");
     return run->output || csg_log_memory(run->log);
 }
 
@@ -87,18 +90,13 @@ static bool check_readable(const struct run *run)
 
 static bool prepare(struct run *run)
 {
-    return make_absolute(run) && check_readable(run) && make_directory(run);
+    return make_absolute(run) && check_readable(run) && make_folder(run);
 }
 
 static void finish(struct run *run)
 {
     csg_process_finish(&run->process);
-    if (run->output)
-        unlink(run->output);
-    if (run->directory)
-        rmdir(run->directory);
     free(run->output);
-    free(run->directory);
     free(run->input);
 }
 
@@ -111,12 +109,22 @@ static bool is_render(const char *define)
     return strcmp(define, "$preview=false") == 0;
 }
 
-/* openscad [--render] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed; the caller
- * frees argv. */
-static char **make_argv(const struct run *run, const struct csgcast_scene_params *params)
+/* Two more arguments where there is a value. */
+static size_t put_pair(char **argv, size_t num, const char *name, const char *value)
+{
+    if (!value)
+        return num;
+    argv[num++] = (char *)(uintptr_t)name;
+    argv[num++] = (char *)(uintptr_t)value;
+    return num;
+}
+
+/* openscad [--render] [--animate N] [-p FILE -P SET] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed;
+ * the caller frees argv. */
+static char **make_argv(struct run *run, const struct csgcast_scene_params *params)
 {
     const size_t num_defines = params->defines ? params->num_defines : 0;
-    char **argv = calloc(2 * num_defines + 6, sizeof *argv);
+    char **argv = calloc(2 * num_defines + 14, sizeof *argv);
     bool render = false;
     size_t num = 0;
     if (!argv)
@@ -126,14 +134,18 @@ static char **make_argv(const struct run *run, const struct csgcast_scene_params
     argv[num++] = (char *)(uintptr_t)run->program;
     if (render) /* not in front of the input, which it would take for its value */
         argv[num++] = (char *)(uintptr_t) "--render";
-    argv[num++] = (char *)(uintptr_t) "-o";
-    argv[num++] = run->output;
-    for (size_t i = 0; i < num_defines; i++) {
-        if (is_render(params->defines[i]))
-            continue;
-        argv[num++] = (char *)(uintptr_t) "-D";
-        argv[num++] = (char *)(uintptr_t)params->defines[i];
+    if (run->flattened->num_frames > 0) {
+        snprintf(run->frames, sizeof run->frames, "%zu", run->flattened->num_frames);
+        num = put_pair(argv, num, "--animate", run->frames);
     }
+    num = put_pair(argv, num, "-p", params->parameter_file);
+    num = put_pair(argv, num, "-P", params->parameter_set);
+    num = put_pair(argv, num, "-o", run->output);
+    for (size_t i = 0; i < num_defines; i++) {
+        if (!is_render(params->defines[i]))
+            num = put_pair(argv, num, "-D", params->defines[i]);
+    }
+    num = put_pair(argv, num, "-D", csg_viewpoint_define);
     argv[num++] = run->input;
     return argv;
 }
@@ -151,6 +163,17 @@ static bool execute(struct run *run, const struct csgcast_scene_params *params)
     if (run->process.error)
         return fail(run, run->program, run->process.error);
     return !csg_process_is_missing(&run->process) || fail_to_start(run, ENOENT);
+}
+
+/* The cameras, out of what openscad printed. */
+static bool take_cameras(struct run *run)
+{
+    struct csg_bytes source;
+    if (!csg_file_read(run->input, &source, run->log))
+        return false;
+    const bool taken = csg_viewpoint_take(run->flattened, &run->process.output, &source);
+    free(source.data);
+    return taken || csg_log_memory(run->log);
 }
 
 static bool check(struct run *run)
@@ -178,11 +201,13 @@ const char *csg_openscad_program(const struct csgcast_scene_params *params)
 }
 
 bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *params,
-                          const struct csg_log *log, struct csg_bytes *text)
+                          size_t num_frames, const struct csg_log *log,
+                          struct csg_flattened *flattened)
 {
     struct run run = {.path = path, .program = csg_openscad_program(params), .log = log};
-    const bool done = prepare(&run) && execute(&run, params) && check(&run) &&
-                      csg_file_read(run.output, text, log);
+    run.flattened = flattened;
+    flattened->num_frames = num_frames;
+    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) && check(&run);
     finish(&run);
     return done;
 }

@@ -2,17 +2,37 @@
 #ifndef CSG_SCENE_OPENSCAD_H
 #define CSG_SCENE_OPENSCAD_H
 
+#include "common/array.h"
 #include "common/file.h"
 
 /* The program: the caller's, the environment's, or the one in the path. */
 const char *csg_openscad_program(const struct csgcast_scene_params *params);
 
+/* What openscad has made of a .scad file: texts in a folder of our own. It starts as zeroes. */
+struct csg_flattened {
+    char *folder;
+    size_t num_frames; /* 0: one text, of no animation */
+    CSG_ARRAY(struct csgcast_camera) cameras; /* that the file asks for, a text; may be fewer */
+};
+
 /*
- * Flattens a .scad file to .csg text by running the installed openscad. Its warnings are passed
- * on, its errors too, as errors. The caller frees text->data. false: a message was given.
+ * Flattens a .scad file to .csg text by running the installed openscad; for an animation of
+ * num_frames > 0 at $t = 0, 1 / num_frames, ... Its warnings are passed on, its errors too, as
+ * errors. The caller finishes flattened in either case. false: a message was given.
  */
 bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *params,
-                          const struct csg_log *log, struct csg_bytes *text);
+                          size_t num_frames, const struct csg_log *log,
+                          struct csg_flattened *flattened);
+
+/* The text of a frame; the caller frees text->data. false: a message was given. */
+bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,
+                        const struct csg_log *log, struct csg_bytes *text);
+
+/* Of kind DEFAULT where the file asks for none. */
+struct csgcast_camera csg_flattened_camera(const struct csg_flattened *flattened, size_t frame);
+
+/* Removes the texts. */
+void csg_flattened_finish(struct csg_flattened *flattened);
 
 /*
  * Passes on the lines that openscad printed, prefix in front of each; those that only say how far

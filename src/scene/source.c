@@ -28,6 +28,7 @@ struct csg_source *csg_source_create(char *text, size_t size,
     source->params = *params;
     source->params.defines = NULL;
     source->params.num_defines = 0;
+    source->params.parameter_file = source->params.parameter_set = NULL;
     const bool named = copy_string(params->name, &source->name, &source->params.name);
     const bool placed =
         copy_string(params->directory, &source->directory, &source->params.directory);

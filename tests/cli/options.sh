@@ -98,9 +98,8 @@ says "--preview has no effect"
 says "--csglimit has no effect"
 expect 0 "the same, quiet" render cube.csg "${small[@]}" -o a.png --hardwarnings -d deps
 is_silent
-expect 2 "OpenSCAD's parameter files" render cube.csg -p parameters.json -P set
-says "with -D"
-expect 2 "OpenSCAD's animation" render cube.csg --animate 10
+expect 2 "OpenSCAD's STL files" render cube.csg -s cube.stl
+says "writes images"
 
 expect 0 "-D on a .csg" render cube.csg --imgsize=16,16 -o a.png -D width=3
 says "-D width=3 has no effect"

@@ -91,6 +91,8 @@ struct csgcast_scene_params {
     bool skip_unsupported;       /* leave unsupported nodes out, with a warning for each */
     const char *const *defines;  /* num_defines texts "name=value", passed to openscad as -D */
     size_t num_defines;          /* default 0 */
+    const char *parameter_file;  /* a customizer's JSON file, openscad's -p, and */
+    const char *parameter_set;   /* the name of the set in it, -P. NULL: none */
     const char *directory;       /* where relative file names in the scene start. NULL: that of the
                                   * path; the working directory for text in memory and "-" */
     const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
@@ -119,6 +121,23 @@ CSGCAST_API struct csgcast_scene *csgcast_scene_parse(const char *text, size_t s
                                                       const struct csgcast_scene_params *params);
 
 CSGCAST_API void csgcast_scene_destroy(struct csgcast_scene *scene);
+
+/*
+ * A .scad file at num_frames moments, $t = 0, 1 / num_frames, ..., from 1 to 100000, as openscad
+ * --animate has it: one run of openscad for all of them. Each is a scene of its own, whose camera
+ * moves where the file assigns $vpr and its like. params as for csgcast_scene_load; log must stay.
+ * The texts are in a temporary folder until it is destroyed. NULL on error.
+ */
+struct csgcast_animation;
+CSGCAST_API struct csgcast_animation *
+csgcast_animation_load(const char *path, int num_frames,
+                       const struct csgcast_scene_params *params);
+
+/* The scene of a frame, from 0; the caller destroys it. NULL on error. */
+CSGCAST_API struct csgcast_scene *
+csgcast_animation_scene(const struct csgcast_animation *animation, int frame);
+
+CSGCAST_API void csgcast_animation_destroy(struct csgcast_animation *animation);
 
 struct csgcast_kind_count {
     const char *name; /* as in docs/scene-format.md, e.g. "cylinder"; static */
@@ -268,7 +287,8 @@ CSGCAST_API bool csgcast_cache_clear(const char *directory);
 /* ---- camera and view ---------------------------------------------------------------------- */
 
 enum csgcast_camera_kind {
-    CSGCAST_CAMERA_DEFAULT, /* OpenSCAD's: rotation 55, 0, 25, the whole scene in view */
+    CSGCAST_CAMERA_DEFAULT, /* that of a .scad which assigns $vpt, $vpr, $vpd or $vpf; else
+                             * OpenSCAD's: rotation 55, 0, 25, the whole scene in view */
     CSGCAST_CAMERA_GIMBAL,  /* translate, rotate, distance */
     CSGCAST_CAMERA_VECTOR,  /* eye, center */
 };

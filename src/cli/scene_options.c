@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene_options.h"
+
+#include "values.h"
+
+#include <string.h>
+
+#define MAX_FRAMES 100000 /* of an animation, csgcast_animation_load's limit */
+
+const char *csg_set_define(struct csg_cli_options *options, const char *value)
+{
+    const char *equals = strchr(value, '=');
+    if (!equals || equals == value)
+        return "NAME=VALUE";
+    options->defines[options->scene.num_defines++] = value;
+    return NULL;
+}
+
+/* openscad --render flattens the model as for export; what a .scad sees of that is $preview. */
+const char *csg_set_render(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    return csg_set_define(options, "$preview=false");
+}
+
+const char *csg_set_parameter_file(struct csg_cli_options *options, const char *value)
+{
+    options->scene.parameter_file = value;
+    return *value ? NULL : "a file";
+}
+
+const char *csg_set_parameter_set(struct csg_cli_options *options, const char *value)
+{
+    options->scene.parameter_set = value;
+    return NULL;
+}
+
+const char *csg_set_animate(struct csg_cli_options *options, const char *value)
+{
+    int *num = &options->num_animated;
+    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES
+               ? NULL
+               : "a number from 1 to 100000";
+}
+
+const char *csg_set_facets(struct csg_cli_options *options, const char *value)
+{
+    static const struct csg_value_name names[] = {{"auto", CSGCAST_FACETS_AUTO},
+                                                  {"exact", CSGCAST_FACETS_EXACT},
+                                                  {"as-written", CSGCAST_FACETS_AS_WRITTEN},
+                                                  {NULL, 0}};
+    int facets;
+    if (!csg_value_enum(value, names, &facets))
+        return "auto, exact or as-written";
+    options->scene.facets = (enum csgcast_facets)facets;
+    options->facets = value;
+    return NULL;
+}
+
+const char *csg_set_skip_unsupported(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.skip_unsupported = true;
+    return NULL;
+}
+
+const char *csg_set_openscad(struct csg_cli_options *options, const char *value)
+{
+    options->scene.openscad = value;
+    return *value ? NULL : "a program";
+}
+
+const char *csg_set_no_handoff(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.no_handoff = true;
+    return NULL;
+}
+
+const char *csg_set_cache(struct csg_cli_options *options, const char *value)
+{
+    options->scene.cache = value;
+    return *value ? NULL : "a directory; see --no-cache";
+}
+
+const char *csg_set_no_cache(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->scene.cache = "";
+    return NULL;
+}
+
+const char *csg_set_cache_size(struct csg_cli_options *options, const char *value)
+{
+    double mebibytes;
+    if (!csg_value_double(value, &mebibytes) || !(mebibytes > 0 && mebibytes < 1e9))
+        return "mebibytes above 0";
+    options->scene.cache_size = (uint64_t)(mebibytes * (1 << 20)) + 1;
+    return NULL;
+}
+
+const char *csg_set_clear(struct csg_cli_options *options, const char *value)
+{
+    (void)value;
+    options->clear = true;
+    return NULL;
+}

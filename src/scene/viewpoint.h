@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_SCENE_VIEWPOINT_H
+#define CSG_SCENE_VIEWPOINT_H
+
+/*
+ * The camera that a .scad file asks for by assigning $vpt, $vpr, $vpd and $vpf (OpenSCAD 2021.01,
+ * Camera::updateView). A .csg has no variables, so openscad is made to echo them.
+ */
+
+#include "scene/openscad.h"
+
+/* For -D: the echo. */
+extern const char csg_viewpoint_define[];
+
+/*
+ * Takes what the echoes printed, and the warning that goes with it, out of openscad's messages, to
+ * flattened->cameras. source: the .scad's text, to tell what is assigned from what openscad has by
+ * default. false: out of memory.
+ */
+bool csg_viewpoint_take(struct csg_flattened *flattened, struct csg_bytes *messages,
+                        const struct csg_bytes *source);
+
+#endif

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# scad.sh CSGCAST: what a .scad file and openscad's options for it say besides geometry: the
+# viewpoint ($vpr and its like), parameter sets, animations.
+
+csgcast=$(readlink -f "$1")
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$0")/checks.sh"
+unset OPENSCAD
+small=(--imgsize=48,32)
+
+# picture NAME ARGS...: the scene's pixels alone in NAME.ppm.
+picture()
+{
+    local name=$1
+    shift
+    expect 0 "$name" render "$@" "${small[@]}" -o "$name.ppm"
+}
+
+same()
+{
+    check "$1 and $2 are the same" cmp -s "$1.ppm" "$2.ppm"
+}
+
+different()
+{
+    check "$1 and $2 differ" test -n "$(cmp "$1.ppm" "$2.ppm" 2>&1)"
+}
+
+# viewed NAME ASSIGNMENTS CAMERA: the assignments give the camera. Nothing is said about it.
+viewed()
+{
+    printf '%s\ncube([3, 2, 1]);\n' "$2" >"$1.scad"
+    picture "$1" "$1.scad"
+    is_silent
+    picture "asked-$1" "$1.scad" "${@:3}"
+    same "$1" "asked-$1"
+}
+
+# ---- the viewpoint. What is not assigned has the numbers of OpenSCAD's camera: 140 away. ----
+viewed all '$vpt = [1, 1, 0.5]; $vpr = [70, 0, 30]; $vpd = 12; $vpf = 30;' \
+    --camera=1,1,0.5,70,0,30,12 --fov=30
+viewed rotated '$vpr = [-20.5, 1e1, 30];' --camera=0,0,0,-20.5,10,30,140
+viewed flat '$vpt = [1, 2]; $vpd = 2.5e1;' --camera=1,2,0,55,0,25,25
+viewed zero '$vpr = [0, 0, 0]; $vpd = 20;' --camera=0,0,0,0,0,0,20
+viewed far '$vpd = 500; $vpt = [1, 0, 0];' --camera=1,0,0,55,0,25,500
+viewed nan '$vpt = [0 / 0, 0, 0]; $vpd = 20;' --camera=0,0,0,55,0,25,20
+viewed remark '/* $vpr = [0, 0, 0]; */ $vpd = 20; // $vpt == 0' --camera=0,0,0,55,0,25,20
+viewed none 'x = $vpr; y = "$vpd = 3;";' --autocenter --viewall
+picture fov all.scad --fov=10
+different all fov
+picture ortho all.scad --projection=o
+different all ortho
+picture asked rotated.scad --camera=0,0,0,55,0,25,10
+different asked rotated
+printf '$vpr = "up"; $vpd = 20; cube(3);\n' >text.scad
+picture text text.scad
+says 'Unable to convert $vpr="up"'
+picture plain text.scad --camera=0,0,0,55,0,25,20
+same text plain
+
+# ---- parameter sets ----
+echo 'size = 1; /* [sizes] */ height = 1; cube([size, size, height]);' >box.scad
+echo '{"parameterSets": {"large": {"size": "3", "height": "2"}}, "fileFormatVersion": "1"}' >box.json
+camera=(--camera=0,0,0,55,0,25,20)
+picture set box.scad -p box.json -P large "${camera[@]}"
+picture defined box.scad -D size=3 -D height=2 "${camera[@]}"
+same set defined
+picture unset box.scad "${camera[@]}"
+different unset set
+
+# ---- animations. $t is there from the file's first line on. ----
+rm -f ./*
+echo 'x = 10 * $t; $vpr = [60, 0, 90 * $t]; $vpd = 50; translate([x, 0, 0]) cube(2); echo(x);' >turn.scad
+expect 0 "four frames" render turn.scad --animate=4 "${small[@]}" -o frame.ppm
+says "ECHO: 7.5"
+holds_only turn.scad frame00000.ppm frame00001.ppm frame00002.ppm frame00003.ppm
+echo 'translate([5, 0, 0]) cube(2);' >moved.scad
+picture moved moved.scad --camera=0,0,0,60,0,45,50
+cp frame00002.ppm frame.ppm
+same moved frame
+rm -f ./*.ppm
+expect 0 "a name in a folder with a dot" render turn.scad --animate=1 "${small[@]}" -o ./name --format=png
+check "it is named" is_png ./name00000
+expect 2 "frames to a stream" render turn.scad --animate=3 -o -
+expect 2 "frames of a .csg" render moved.csg --animate=3
+says "has no \$t"
+expect 2 "no frames" render turn.scad --animate=0
+says "a number from 1 to 100000"
+echo 'cube(1); assert($t < 0.4, "too late");' >late.scad
+expect 1 "an animation that fails" render late.scad --animate=4 "${small[@]}" -o late.png
+says "too late"
+check "no file is left" test ! -e late00000.png
+
+finish
