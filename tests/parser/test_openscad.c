@@ -36,9 +36,15 @@ static const struct stand_in stand_ins[] = {
     {"is missing", NULL, false, "does not run\ninstall OpenSCAD\nOPENSCAD"},
     {"gets the arguments",
      "test \"$1\" = -o && test \"$3\" = -D && test \"$4\" = 'a=\"b c\"' && test \"$5\" = -D && "
-     "test \"$6\" = 'n=$(echo 1)' && test -f \"$7\" && test $# = 7 && "
+     "test \"$6\" = 'n=$(echo 1)' && test \"$7\" = -D && test -f \"$9\" && test $# = 9 && "
      "echo 'cube(size = [1, 1, 1]);' > \"$2\"",
      true, "!error"},
+    {"echoes no camera",
+     "echo 'ECHO: csgcast_view = [[0, 0, 0'; echo 'ECHO: csgcast_view = ['; "
+     "echo 'ECHO: csgcast_view = [\"[\\\\\\\"\", -, [1, 2, 3, 4], [[['; "
+     "echo 'WARNING: Viewall and autocenter disabled in favor of $vp*'; "
+     "echo 'cube(size = [1, 1, 1]);' > \"$2\"",
+     true, "!csgcast_view"},
     {"reads no input", "cat > \"$2\"", true, "!error"},
     {"prints a lot",
      "i=0; while test $i -lt 3000; do echo \"noise noise noise noise noise noise $i\" >&2; "
