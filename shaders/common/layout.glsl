@@ -91,9 +91,6 @@
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
 #define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/turns.glsl */
 
-/* The vertex that stands for all of a square, see passes/geometry.vert.glsl. */
-#define CSG_POINT 4
-
 /* Turns of all loops that llvmpipe grants to a program, see csg/turns.glsl. */
 #define CSG_MAX_TURNS 65535
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * One instance per object: a rectangle that holds what the object can cover. Drawn as four vertices
- * from number 0 on or, where it is a square, as one point, which is vertex 4: the two triangles of a
- * rectangle share the blocks of pixels along their edge, and drivers draw these twice.
+ * A rectangle that holds what the object can cover. Drawn as an instance of four vertices or, where it
+ * is a square, as one point: the two triangles of a rectangle share the blocks of pixels along their
+ * edge, and drivers draw these twice.
  */
 
 layout(location = 0) in vec4 csg_rect;      /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in ivec4 csg_records;  /* begin, end in the data texture; turns of a look; side */
+layout(location = 1) in ivec4 csg_records;  /* begin, end in the data texture; turns of a look; side of a point, else 0 */
 
 flat out ivec3 csg_object;
 
@@ -20,7 +20,7 @@ void main()
 #ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by src/shader */
     csg_hand_over(csg_records.x, csg_records.y);
 #endif
-    vec2 corner = gl_VertexID == CSG_POINT ? vec2(0.5) : vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    vec2 corner = csg_records.w > 0 ? vec2(0.5) : vec2(gl_VertexID & 1, gl_VertexID >> 1);
     gl_PointSize = float(csg_records.w);
     gl_Position = vec4(mix(csg_rect.xy, csg_rect.zw, corner), 0.0, 1.0);
 }

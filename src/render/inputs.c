@@ -63,7 +63,8 @@ void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool high
     picture->gl->Uniform1f(compiled->uniforms.depth_bias, highlight ? OVERLAY_DEPTH_BIAS : 0);
 }
 
-static void point_instances(struct csg_gl *gl, size_t first)
+/* Points are vertices of their own, as drivers take these by the vector, but instances one by one. */
+static void point_instances(struct csg_gl *gl, size_t first, bool points)
 {
     const size_t size = sizeof(struct csg_instance), base = first * size;
     gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, (GLsizei)size,
@@ -72,7 +73,7 @@ static void point_instances(struct csg_gl *gl, size_t first)
                              (const void *)(base + offsetof(struct csg_instance, records)));
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
-        gl->VertexAttribDivisor(i, 1);
+        gl->VertexAttribDivisor(i, points ? 0 : 1);
     }
 }
 
@@ -103,5 +104,5 @@ void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *
     if (batch->run)
         point_crowd(gl, batch->run);
     else
-        point_instances(gl, batch->first);
+        point_instances(gl, batch->first, batch->points);
 }

@@ -49,7 +49,7 @@ static void draw_batches(const struct csg_picture *picture, const struct round *
         csg_inputs_use(picture, program, round->paint == CSG_LAYER_HIGHLIGHT);
         csg_inputs_bind(picture, batch);
         if (batch->points)
-            gl->DrawArraysInstanced(GL_POINTS, CSG_POINT, 1, (GLsizei)batch->num);
+            gl->DrawArrays(GL_POINTS, 0, (GLsizei)batch->num);
         else
             gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
     }
