@@ -49,13 +49,18 @@ Path path_of(const csg_clip_path &from)
     return path;
 }
 
-Paths clean(const Paths &paths)
+void clean(const Paths &paths, PolyTree &result)
 {
     Clipper clipper;
-    Paths result;
-    PolyTree tree;
     clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-    clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftEvenOdd);
+    clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftEvenOdd);
+}
+
+Paths clean(const Paths &paths)
+{
+    PolyTree tree;
+    Paths result;
+    clean(paths, tree);
     ClipperLib::PolyTreeToPaths(tree, result);
     return result;
 }
@@ -119,14 +124,26 @@ bool hand_over(const PolyTree &tree, const csg_clip_sink &sink)
     return true;
 }
 
+void clean(const csg_clip_path *paths, size_t num, PolyTree &result)
+{
+    Paths figure;
+    for (size_t i = 0; i < num; i++)
+        figure.push_back(path_of(paths[i]));
+    clean(figure, result);
+}
+
 csg_clip_result combine(csg_clip_op op, uint32_t num_operands, const csg_clip_path *paths,
                         size_t num_paths, const csg_clip_sink *sink)
 {
     if (is_too_large(paths, num_paths))
         return CSG_CLIP_TOO_LARGE;
     try {
-        const std::vector<Paths> operands = collect(num_operands, paths, num_paths);
         PolyTree result;
+        if (op == CSG_CLIP_CLEAN) {
+            clean(paths, num_paths, result);
+            return hand_over(result, *sink) ? CSG_CLIP_DONE : CSG_CLIP_NO_MEMORY;
+        }
+        const std::vector<Paths> operands = collect(num_operands, paths, num_paths);
         if (op == CSG_CLIP_INTERSECTION && operands.size() >= 2)
             intersect(operands, result);
         else if (!operands.empty())
@@ -139,9 +156,68 @@ csg_clip_result combine(csg_clip_op op, uint32_t num_operands, const csg_clip_pa
     }
 }
 
+/* ---- strokes -------------------------------------------------------------------------------- */
+
+constexpr double stroke_scale = 10000;
+
+/* A round end of a wider stroke would have more than 100,000 corners. */
+constexpr double max_width = 1e5;
+
+ClipperLib::JoinType join_of(csg_clip_join join)
+{
+    if (join == CSG_CLIP_JOIN_ROUND)
+        return ClipperLib::jtRound;
+    return join == CSG_CLIP_JOIN_BEVEL ? ClipperLib::jtSquare : ClipperLib::jtMiter;
+}
+
+ClipperLib::EndType cap_of(csg_clip_cap cap)
+{
+    if (cap == CSG_CLIP_CAP_ROUND)
+        return ClipperLib::etOpenRound;
+    return cap == CSG_CLIP_CAP_BUTT ? ClipperLib::etOpenButt : ClipperLib::etOpenSquare;
+}
+
+bool hand_over(const Paths &paths, const csg_clip_sink &sink)
+{
+    for (const Path &path : paths) {
+        if (!sink.begin_contour(sink.user))
+            return false;
+        for (const ClipperLib::IntPoint &point : path)
+            if (!sink.add_point(sink.user, static_cast<double>(point.X) / stroke_scale,
+                                static_cast<double>(point.Y) / stroke_scale))
+                return false;
+    }
+    return true;
+}
+
+csg_clip_result stroke(const double *points, size_t num, const csg_clip_pen *pen,
+                       const csg_clip_sink *sink)
+{
+    for (size_t i = 0; i < 2 * num; i++)
+        if (!(std::fabs(points[i]) < max_coordinate))
+            return CSG_CLIP_TOO_LARGE;
+    if (!(pen->width < max_width))
+        return CSG_CLIP_TOO_LARGE;
+    try {
+        Path path;
+        Paths result;
+        for (size_t i = 0; i < num; i++)
+            path.emplace_back(static_cast<ClipperLib::cInt>(points[2 * i] * stroke_scale),
+                              static_cast<ClipperLib::cInt>(points[2 * i + 1] * stroke_scale));
+        ClipperLib::ClipperOffset offset;
+        offset.AddPath(path, join_of(pen->join), cap_of(pen->cap));
+        offset.Execute(result, pen->width * stroke_scale / 2);
+        return hand_over(result, *sink) ? CSG_CLIP_DONE : CSG_CLIP_NO_MEMORY;
+    } catch (const ClipperLib::clipperException &) {
+        return CSG_CLIP_TOO_LARGE;
+    } catch (const std::exception &) {
+        return CSG_CLIP_NO_MEMORY;
+    }
+}
+
 } // namespace
 
 extern "C" {
 extern __attribute__((visibility("default"))) const csg_clip_module CSG_CLIP_MODULE;
-const csg_clip_module CSG_CLIP_MODULE = {combine};
+const csg_clip_module CSG_CLIP_MODULE = {combine, stroke};
 }

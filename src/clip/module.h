@@ -15,7 +15,12 @@ extern "C" {
 #include <stdint.h>
 #endif
 
-enum csg_clip_op { CSG_CLIP_UNION, CSG_CLIP_DIFFERENCE, CSG_CLIP_INTERSECTION };
+enum csg_clip_op {
+    CSG_CLIP_UNION,
+    CSG_CLIP_DIFFERENCE,
+    CSG_CLIP_INTERSECTION,
+    CSG_CLIP_CLEAN, /* of one figure: what an odd number of contours go round becomes an outline */
+};
 
 /* A closed contour. Those of one figure together are what an odd number of them go round. */
 struct csg_clip_path {
@@ -33,6 +38,15 @@ struct csg_clip_sink {
     bool (*add_point)(void *user, double x, double y);
 };
 
+enum csg_clip_join { CSG_CLIP_JOIN_MITER, CSG_CLIP_JOIN_ROUND, CSG_CLIP_JOIN_BEVEL };
+enum csg_clip_cap { CSG_CLIP_CAP_SQUARE, CSG_CLIP_CAP_ROUND, CSG_CLIP_CAP_BUTT };
+
+struct csg_clip_pen {
+    double width;
+    enum csg_clip_join join;
+    enum csg_clip_cap cap;
+};
+
 enum csg_clip_result {
     CSG_CLIP_DONE,
     CSG_CLIP_TOO_LARGE, /* coordinates beyond Clipper's grid: nothing was made */
@@ -40,16 +54,20 @@ enum csg_clip_result {
 };
 
 struct csg_clip_module {
-    /* Of num_operands operands, some of which may have no paths; a single one is only cleaned. */
+    /* Of num_operands operands, some of which may have no paths. */
     enum csg_clip_result (*combine)(enum csg_clip_op op, uint32_t num_operands,
                                     const struct csg_clip_path *paths, size_t num_paths,
                                     const struct csg_clip_sink *sink);
+    /* The outline of a stroke along points, on a grid of 1/10,000, as OpenSCAD 2021.01 draws SVG's
+     * open paths (shape.cc). No points, no outline. */
+    enum csg_clip_result (*stroke)(const double *points, size_t num, const struct csg_clip_pen *pen,
+                                   const struct csg_clip_sink *sink);
 };
 
 /* The module's one symbol, a const struct csg_clip_module, named with the version of this border.
  */
-#define CSG_CLIP_MODULE csg_clip_module_1
-#define CSG_CLIP_MODULE_NAME "csg_clip_module_1"
+#define CSG_CLIP_MODULE csg_clip_module_2
+#define CSG_CLIP_MODULE_NAME "csg_clip_module_2"
 
 #ifdef __cplusplus
 }

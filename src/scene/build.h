@@ -50,7 +50,7 @@ struct csg_repeats;
 struct csg_clip_state {
     bool is_wanted, was_opened;
     void *handle;
-    const struct csg_clip_module *module; /* NULL: not wanted, or missing */
+    const struct csg_clip_module *module; /* NULL: missing */
 };
 
 struct csg_builder {

@@ -9,8 +9,13 @@
 
 bool csg_clip_is_wanted(struct csg_walk *walk)
 {
+    return walk->builder->clip.is_wanted && csg_clip_is_there(walk);
+}
+
+bool csg_clip_is_there(struct csg_walk *walk)
+{
     struct csg_clip_state *state = &walk->builder->clip;
-    if (!state->is_wanted || state->was_opened)
+    if (state->was_opened)
         return state->module != NULL;
     state->was_opened = true;
     state->handle = csg_module_open("csgcast-clip.so", "CSGCAST_CLIP_MODULE");
@@ -64,6 +69,8 @@ static bool collect(const struct csg_drawing *drawing, uint32_t node, struct pat
 
 static enum csg_clip_op op_of(uint8_t op)
 {
+    if (op == CSG_DRAW_FIGURE)
+        return CSG_CLIP_CLEAN;
     if (op == CSG_DRAW_DIFFERENCE)
         return CSG_CLIP_DIFFERENCE;
     return op == CSG_DRAW_INTERSECTION ? CSG_CLIP_INTERSECTION : CSG_CLIP_UNION;

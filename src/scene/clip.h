@@ -13,6 +13,9 @@
 /* Whether they are wanted, and csgcast-clip.so is there. */
 bool csg_clip_is_wanted(struct csg_walk *walk);
 
+/* Whether csgcast-clip.so is there, wanted or not. */
+bool csg_clip_is_there(struct csg_walk *walk);
+
 /* Replaces the subtree at node, the last of the drawing, by one figure, an outline. Each of its
  * children is an operand. false, with a message, when memory is out. */
 bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node);

@@ -78,14 +78,14 @@ static struct csg_box box_of(const struct csg_drawing *drawing, const struct csg
     return box;
 }
 
-/* Moves the new figures to where their node is; a space without an inverse leaves nothing. */
-static bool place(struct reader *reader, uint32_t draw, const struct csg_space *space)
+bool csg_drawing_place(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t draw,
+                       const struct csg_space *space)
 {
-    struct csg_drawing *drawing = reader->drawing;
+    const struct csg_log *log = &walk->builder->report->log;
     struct csg_map inverse;
     if (space->is_empty || !csg_map_invert(&space->map, &inverse)) {
         csg_drawing_cut(drawing, draw);
-        return csg_drawing_open(drawing, CSG_DRAW_UNION) || no_memory(reader);
+        return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(log);
     }
     for (uint32_t i = draw; i < drawing->nodes.num; i++) {
         struct csg_draw_node *node = &drawing->nodes.data[i];
@@ -97,7 +97,7 @@ static bool place(struct reader *reader, uint32_t draw, const struct csg_space *
     }
     return csg_drawing_map(drawing, draw, (uint32_t)drawing->nodes.num, &space->map,
                            csg_space_stretch(space)) ||
-           no_memory(reader);
+           csg_log_memory(log);
 }
 
 static bool open_node(struct reader *reader, uint32_t node)
@@ -135,7 +135,7 @@ static bool clip_node(struct reader *reader, const struct frame *frame)
         return false;
     if (reader->frames.num == 0 || !csg_walk_ops(reader->walk, frame->node)->enter)
         return true;
-    return place(reader, frame->draw, &frame->own) &&
+    return csg_drawing_place(reader->walk, reader->drawing, frame->draw, &frame->own) &&
            (!is_mirrored(&frame->own) ||
             csg_clip_evaluate(reader->walk, reader->drawing, frame->draw));
 }
@@ -153,7 +153,8 @@ static bool close_node(struct reader *reader)
     struct csg_args args;
     return csg_walk_args(reader->walk, frame.node, ops->name, ops->parameters, &args) &&
            ops->flatten(reader->walk, frame.node, &args, reader->drawing, frame.draw) &&
-           place(reader, frame.draw, &reader->frames.data[reader->frames.num - 1].space);
+           csg_drawing_place(reader->walk, reader->drawing, frame.draw,
+                             &reader->frames.data[reader->frames.num - 1].space);
 }
 
 static bool read_figure(struct reader *reader, uint32_t node)

@@ -14,6 +14,9 @@ bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_ar
                        const struct csg_space *space, struct csg_drawing *drawing);
 bool csg_figure_polygon(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                         const struct csg_space *space, struct csg_drawing *drawing);
+/* Of the drawing in a file. */
+bool csg_figure_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing);
 /* Of the solids in the node. */
 bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                            const struct csg_space *space, struct csg_drawing *drawing);

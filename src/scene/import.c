@@ -23,7 +23,7 @@ const char *csg_import_name(const struct csg_args *args)
     return file && file->type == CSG_VALUE_STRING ? file->string : NULL;
 }
 
-static bool has_ending(const char *name, const char *ending)
+bool csg_import_has_ending(const char *name, const char *ending)
 {
     const char *dot = name ? strrchr(name, '.') : NULL;
     return dot && strcasecmp(dot, ending) == 0;
@@ -31,12 +31,12 @@ static bool has_ending(const char *name, const char *ending)
 
 bool csg_import_is_mesh(const char *name)
 {
-    return has_ending(name, ".stl") || has_ending(name, ".off");
+    return csg_import_has_ending(name, ".stl") || csg_import_has_ending(name, ".off");
 }
 
 bool csg_import_is_drawing(const char *name)
 {
-    return has_ending(name, ".dxf") || has_ending(name, ".svg");
+    return csg_import_has_ending(name, ".dxf") || csg_import_has_ending(name, ".svg");
 }
 
 static char *path_of(const struct csg_walk *walk, const char *name)
@@ -91,7 +91,7 @@ static bool add_file(struct csg_walk *walk, uint32_t node, const char *name,
 {
     struct csg_mesh mesh = {0};
     size_t line;
-    const enum csg_mesh_file result = has_ending(name, ".off")
+    const enum csg_mesh_file result = csg_import_has_ending(name, ".off")
                                           ? csg_off_file_read(bytes, &mesh, &line)
                                           : csg_stl_file_read(bytes, &mesh, &line);
     bool ok = result != CSG_MESH_FILE_NO_MEMORY || csg_log_memory(&walk->builder->report->log);

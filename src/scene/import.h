@@ -3,16 +3,25 @@
 #define CSG_SCENE_IMPORT_H
 
 #include "common/file.h"
+#include "plane/drawing.h"
 #include "scene/walk.h"
 
 /* The file that a node names by "file", as a string; NULL: it names none. */
 const char *csg_import_name(const struct csg_args *args);
+
+/* Whether a file's name, or NULL, ends so, in large letters or small. */
+bool csg_import_has_ending(const char *name, const char *ending);
 
 /* Whether csg_compound_import reads files with that name's ending. */
 bool csg_import_is_mesh(const char *name);
 
 /* Whether the ending is that of a drawing. */
 bool csg_import_is_drawing(const char *name);
+
+/* Reads the drawing in the file that an extrusion names; scale: of DXF. What is wrong with the file
+ * is reported. false, with a message, when memory is out. */
+bool csg_import_drawing(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        double scale, struct csg_drawing *drawing);
 
 /* Reads the file that a node names, relative to the scene's directory. name: its name; NULL where
  * it names none or, after a warning, cannot be read: the node is empty, as in OpenSCAD. false, with

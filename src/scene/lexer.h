@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "scene/number.h"
+#include "common/number.h"
 #include "scene/report.h"
 
 enum csg_token_type {

@@ -9,6 +9,7 @@
 #include "plane/twist.h"
 #include "scene/compounds.h"
 #include "scene/drawings.h"
+#include "scene/import.h"
 #include "scene/polyhedron.h"
 
 /* What OpenSCAD takes where height is missing. */
@@ -138,11 +139,10 @@ bool csg_compound_linear_extrude(struct csg_walk *walk, uint32_t node, const str
     const double z[2] = {extrusion.center ? -top / 2 : 0, extrusion.center ? top / 2 : top};
     if (!isfinite(extrusion.v[0] + extrusion.v[1] + top) || !(top > 0))
         return true;
-    if (extrusion.has_file)
-        return csg_walk_unsupported(walk, node, "linear_extrude of a file is not supported yet"),
-               true;
     const bool is_even = extrusion.twist == 0 && extrusion.scale[0] == extrusion.scale[1];
-    const bool ok = csg_drawing_read(walk, node, in_boolean, &drawing) &&
+    const bool ok = (extrusion.has_file
+                         ? csg_import_drawing(walk, node, args, extrusion.scale[0], &drawing)
+                         : csg_drawing_read(walk, node, in_boolean, &drawing)) &&
                     (is_even ? extrude(walk, &extrusion, &drawing, z, part)
                              : twist(walk, node, &extrusion, &drawing, z, part));
     for (size_t i = 0; i < part->shapes.num; i++)

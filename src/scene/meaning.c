@@ -81,7 +81,7 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
     return meaning;
 }
 
-/* A drawing or a mesh, and whether it needs OpenSCAD: the ending of the file tells. */
+/* A drawing, a mesh, or something that only OpenSCAD may know: the ending of the file tells. */
 static void classify_import(const struct csg_builder *builder, uint32_t node,
                             struct csg_meaning *meaning)
 {
@@ -95,6 +95,8 @@ static void classify_import(const struct csg_builder *builder, uint32_t node,
         meaning->dimension = csg_import_is_drawing(name) ? 2 : 3;
         if (csg_import_is_mesh(name))
             meaning->role = CSG_ROLE_COMPOUND;
+        else if (csg_import_is_drawing(name))
+            meaning->role = CSG_ROLE_FIGURE;
     }
     csg_arguments_finish(&arguments);
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/number.h"
+#include "common/number.h"
 
 /* Binary STL: a header, the number of triangles, and each with a normal and two bytes behind it. */
 enum { header_size = 80, count_size = 4, record_size = 50, normal_size = 12 };
@@ -42,14 +42,7 @@ bool csg_words_number(struct csg_words *words, double *value)
 {
     const char *word;
     size_t length;
-    struct csg_number number;
-    if (!csg_words_next(words, &word, &length))
-        return false;
-    const bool is_negative = word[0] == '-', has_sign = is_negative || word[0] == '+';
-    if (!csg_number_read(word + has_sign, length - has_sign, &number) || !isfinite(number.value))
-        return false;
-    *value = is_negative ? -number.value : number.value;
-    return true;
+    return csg_words_next(words, &word, &length) && csg_number_read_signed(word, length, value);
 }
 
 static bool is_word(const char *word, size_t length, const char *text)

@@ -7,6 +7,7 @@
 #include "plane/revolve_surface.h"
 #include "scene/compounds.h"
 #include "scene/drawings.h"
+#include "scene/import.h"
 #include "solids/facets.h"
 
 /* Turns with more segments are refused in as-written mode. */
@@ -100,12 +101,12 @@ bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const str
     struct csg_drawing drawing = {0};
     struct csg_profile profile = {0};
     read_revolution(args, &revolution);
-    if (revolution.has_file)
-        return csg_walk_unsupported(walk, node, "rotate_extrude of a file is not supported yet"),
-               true;
     if (revolution.turn.angle == 0)
         return true;
-    bool ok = csg_drawing_read(walk, node, in_boolean, &drawing);
+    bool ok = revolution.has_file
+                  ? csg_import_drawing(walk, node, args, csg_args_number(args, "scale", 1, NULL),
+                                       &drawing)
+                  : csg_drawing_read(walk, node, in_boolean, &drawing);
     if (ok) {
         const enum csg_sweep_result result = csg_profile_init(&profile, &drawing);
         const double rounding = csg_drawing_rounding(&drawing, 0, (uint32_t)drawing.nodes.num);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/number.h"
+#include "common/number.h"
 
 const char csg_viewpoint_define[] = "echo(csgcast_view = [$vpt, $vpr, $vpd, $vpf])";
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/number.h"
+#include "common/number.h"
 
 struct rounding_case {
     const char *text;

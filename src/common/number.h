@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_SCENE_NUMBER_H
-#define CSG_SCENE_NUMBER_H
+#ifndef CSG_COMMON_NUMBER_H
+#define CSG_COMMON_NUMBER_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,5 +18,8 @@ struct csg_number {
  * of text are anything else.
  */
 bool csg_number_read(const char *text, size_t length, struct csg_number *number);
+
+/* Likewise with a sign in front, or none. What is beyond a double is no number. */
+bool csg_number_read_signed(const char *text, size_t length, double *value);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/number.h"
+#include "common/number.h"
 
 #include <float.h>
 #include <locale.h>
@@ -146,5 +146,16 @@ bool csg_number_read(const char *text, size_t length, struct csg_number *number)
     if (!convert_exactly(&decimal, &number->value) && !convert_slowly(text, length, &number->value))
         return false;
     number->rounding = rounding_of(&decimal, number->value);
+    return true;
+}
+
+bool csg_number_read_signed(const char *text, size_t length, double *value)
+{
+    const bool is_negative = length > 0 && text[0] == '-';
+    const bool has_sign = is_negative || (length > 0 && text[0] == '+');
+    struct csg_number number;
+    if (!csg_number_read(text + has_sign, length - has_sign, &number) || !isfinite(number.value))
+        return false;
+    *value = is_negative ? -number.value : number.value;
     return true;
 }

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * import() of drawings. What OpenSCAD cannot read is empty there.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "files/dxf.h"
+#include "scene/clip.h"
+#include "scene/drawings.h"
+#include "scene/figures.h"
+#include "scene/import.h"
+#include "scene/transforms.h"
+
+/* The file at hand. */
+struct source {
+    struct csg_walk *walk;
+    uint32_t node;
+    const struct csg_args *args;
+    const char *name;
+    struct csg_bytes bytes;
+    size_t num_warnings;
+};
+
+/* Of one file; the others are only counted. */
+enum { max_warnings = 3 };
+
+static bool no_memory(const struct source *source)
+{
+    return csg_log_memory(&source->walk->builder->report->log);
+}
+
+static void warn(void *user, size_t line, const char *text)
+{
+    struct source *source = user;
+    if (source->num_warnings++ < max_warnings)
+        csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s", source->name, line,
+                         text);
+}
+
+/* ---- DXF ------------------------------------------------------------------------------------ */
+
+static struct csg_dxf_params dxf_params(const struct csg_args *args, double scale)
+{
+    const struct csg_value *layer = csg_args_find(args, "layer");
+    struct csg_dxf_params params = {.facets = csg_args_facets(args),
+                                    .layer = layer && layer->type == CSG_VALUE_STRING
+                                                 ? layer->string
+                                                 : "",
+                                    .scale = scale > 0 && isfinite(scale) ? scale : 1};
+    double origin[2];
+    if (csg_value_numbers(csg_args_find(args, "origin"), 2, origin, NULL) && isfinite(origin[0]) &&
+        isfinite(origin[1])) {
+        params.origin[0] = origin[0];
+        params.origin[1] = origin[1];
+    }
+    return params;
+}
+
+static bool add_dxf(struct source *source, double scale, struct csg_drawing *drawing)
+{
+    const struct csg_dxf_params params = dxf_params(source->args, scale);
+    const struct csg_dxf_warnings warnings = {source, warn};
+    const uint32_t draw = (uint32_t)drawing->nodes.num;
+    if (!csg_drawing_add_figure(drawing, 0))
+        return no_memory(source);
+    const enum csg_dxf_result result = csg_dxf_read(&source->bytes, &params, &warnings, drawing);
+    if (result == CSG_DXF_NO_MEMORY)
+        return no_memory(source);
+    if (source->num_warnings > max_warnings)
+        csg_walk_warning(source->walk, source->node, "%.80s: %zu more such places", source->name,
+                         source->num_warnings - max_warnings);
+    if (result == CSG_DXF_TOO_LARGE) {
+        csg_drawing_cut(drawing, draw);
+        csg_report_error(source->walk->builder->report, CSGCAST_MESSAGE_SCENE,
+                         csg_walk_node(source->walk, source->node)->place,
+                         "%.80s: blocks and curves of more than %d lines; import a single layer, or "
+                         "use a smaller $fn",
+                         source->name, CSG_DXF_MAX_LINES);
+    }
+    return true;
+}
+
+/* ---- the nodes ------------------------------------------------------------------------------ */
+
+static bool read_file(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                      double scale, struct csg_drawing *drawing)
+{
+    struct source source = {.walk = walk, .node = node, .args = args};
+    const uint32_t draw = (uint32_t)drawing->nodes.num;
+    bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
+    if (ok && source.name && csg_import_has_ending(source.name, ".dxf"))
+        ok = add_dxf(&source, scale, drawing);
+    else if (ok && source.name)
+        csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported",
+                             source.name);
+    if (ok && drawing->nodes.num == draw)
+        ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || no_memory(&source);
+    free(source.bytes.data);
+    return ok;
+}
+
+bool csg_import_drawing(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                        double scale, struct csg_drawing *drawing)
+{
+    return read_file(walk, node, args, scale, drawing) &&
+           (!csg_clip_is_wanted(walk) || csg_clip_evaluate(walk, drawing, 0));
+}
+
+bool csg_figure_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                       const struct csg_space *space, struct csg_drawing *drawing)
+{
+    const uint32_t draw = (uint32_t)drawing->nodes.num;
+    return read_file(walk, node, args, csg_args_number(args, "scale", 1, NULL), drawing) &&
+           csg_drawing_place(walk, drawing, draw, space);
+}
