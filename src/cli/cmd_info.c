@@ -49,6 +49,7 @@ static const struct count_row count_rows[] = {
     COUNT(facetted, "facetted"),
     COUNT(triangles, "triangles"),
     COUNT(handed_off, "by openscad"),
+    COUNT(rounded, "rounded numbers"),
     COUNT(highlighted, "highlighted (#)"),
     COUNT(background, "background (%)"),
     COUNT(dropped, "left out"),

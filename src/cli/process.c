@@ -31,7 +31,7 @@ enum csg_process_end csg_process_run(const char *const *argv, const char *log, d
 {
     struct csg_process process;
     const double begun = csg_clock_ms();
-    if (csg_process_start(&process, (char *const *)(uintptr_t)argv, NULL, NULL))
+    if (csg_process_start(&process, (char *const *)(uintptr_t)argv, NULL, NULL, NULL))
         return CSG_PROCESS_MISSING;
     csg_process_wait(&process, 1, limit > 0 ? (int)fmin(1e3 * limit, INT_MAX) : -1);
     if (seconds)

@@ -39,7 +39,7 @@ static int add_actions(posix_spawn_file_actions_t *actions, int output, const ch
 }
 
 static int spawn(struct csg_process *process, char *const *argv, int output, const char *input,
-                 const char *directory)
+                 const char *directory, char *const *environment)
 {
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
@@ -47,13 +47,14 @@ static int spawn(struct csg_process *process, char *const *argv, int output, con
         return error;
     error = add_actions(&actions, output, input, directory);
     if (!error)
-        error = posix_spawnp(&process->pid, argv[0], &actions, NULL, argv, environ);
+        error = posix_spawnp(&process->pid, argv[0], &actions, NULL, argv,
+                             environment ? environment : environ);
     posix_spawn_file_actions_destroy(&actions);
     return error;
 }
 
 int csg_process_start(struct csg_process *process, char *const *argv, const char *input,
-                      const char *directory)
+                      const char *directory, char *const *environment)
 {
     int ends[2];
     *process = (struct csg_process){.pipe = -1};
@@ -61,7 +62,7 @@ int csg_process_start(struct csg_process *process, char *const *argv, const char
         return errno;
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    const int error = spawn(process, argv, ends[1], input, directory);
+    const int error = spawn(process, argv, ends[1], input, directory, environment);
     close(ends[1]);
     if (error) {
         close(ends[0]);

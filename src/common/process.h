@@ -20,10 +20,11 @@ struct csg_process {
 /*
  * Starts argv[0], looked for in the path, without a shell: names with blanks and quotes need no
  * care. input: the file that is its standard input, NULL: an empty one. directory: where it starts,
- * NULL: where we are. Returns an error number; process then needs no finish.
+ * NULL: where we are. environment: its variables, "NAME=value" with NULL behind the last one; NULL:
+ * ours. Returns an error number; process then needs no finish.
  */
 int csg_process_start(struct csg_process *process, char *const *argv, const char *input,
-                      const char *directory);
+                      const char *directory, char *const *environment);
 
 /*
  * Waits until one of the processes has ended, or for the time given in ms; below 0: without end.

@@ -69,7 +69,8 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
     next.sharpness = NULL;
     next.ways = (struct csg_scene_ways){0};
     memset(next.trees, 0, sizeof next.trees);
-    next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped};
+    next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped,
+                                            .num_rounded = scene->info.num_rounded};
     next.keeps_structure = true;
     if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next, &before)) {
         csg_scene_drop_derived(&next);

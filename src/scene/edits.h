@@ -25,6 +25,7 @@ struct csg_patch {
     uint32_t index;
     struct csg_leaf leaf;
     struct csg_origin origin;
+    bool has_all_digits; /* of the scene's text, see scene/digits.h */
 };
 
 /* patch becomes a copy of the leaf as it is now. false: no memory. */

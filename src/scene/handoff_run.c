@@ -85,7 +85,7 @@ static int ask_version(struct csg_handoff_run *run)
     char option[] = "--version";
     char *argv[] = {run->program, option, NULL};
     struct csg_process process = {0};
-    int error = csg_process_start(&process, argv, NULL, NULL);
+    int error = csg_process_start(&process, argv, NULL, NULL, NULL);
     if (!error) {
         csg_process_wait(&process, 1, -1);
         error = process.error ? process.error : csg_process_is_missing(&process) ? ENOENT : 0;
@@ -122,7 +122,7 @@ static int start_openscad(struct csg_handoff_run *run, struct csg_handoff_job *j
     char *argv[] = {run->program, option_o, output, option_format, from_input, NULL};
     const char *directory = run->handoff->params->directory;
     const int error = write_file(input, &run->handoff->results.data[job->result].text)
-                          ? csg_process_start(&job->process, argv, input, directory)
+                          ? csg_process_start(&job->process, argv, input, directory, NULL)
                           : errno;
     job->begun = csg_clock_ms() / 1000;
     return error;

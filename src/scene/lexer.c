@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/digits.h"
+
 /* Characters of one token that a message quotes. */
 enum { shown_length = 32 };
 
@@ -17,6 +19,7 @@ void csg_lexer_init(struct csg_lexer *lexer, const char *text, size_t size, size
 {
     *lexer = (struct csg_lexer){.text = text, .size = size, .at = at, .line = place.line};
     lexer->line_begin = at + 1 - place.column;
+    lexer->has_all_digits = csg_digits_are_all(text, size);
 }
 
 enum { BLANK = 1, DIGIT = 2, LETTER = 4, MARK = 8 };
@@ -137,6 +140,9 @@ static void read_number(struct csg_lexer *lexer, struct csg_token *token)
         set_bad(token, token->length > CSG_NUMBER_LENGTH_MAX
                            ? "a number of more than " TEXT_OF(CSG_NUMBER_LENGTH_MAX) " characters"
                            : "not a number; numbers look like 12, 0.5 or 1e-07");
+    if (lexer->has_all_digits)
+        token->number.rounding = 0;
+    lexer->num_rounded += token->number.rounding > 0;
 }
 
 /* The quote that ends the string from byte at on; size when the line or the text ends before. */

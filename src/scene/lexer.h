@@ -38,6 +38,8 @@ struct csg_lexer {
     uint32_t line;
     bool is_text_node; /* the next string may be one that OpenSCAD wrote without escapes */
     size_t raw_end;    /* end of the next such string, once looked for */
+    bool has_all_digits; /* numbers are as they stand, see scene/digits.h */
+    size_t num_rounded;  /* numbers so far that may be rounded */
 };
 
 /* Starts at byte at, which is at the given place. text is borrowed. */

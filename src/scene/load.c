@@ -82,6 +82,8 @@ static struct csgcast_scene *read_document(const char *text, size_t size,
     csg_handoff_init(&handoff, params, &document);
     if (csg_document_parse(&document, size > 0 ? text : "", size, report))
         scene = build_all(&document, params, origins, &handoff, report);
+    if (scene)
+        scene->info.num_rounded = document.num_rounded;
     csg_handoff_finish(&handoff);
     csg_document_finish(&document);
     return scene;

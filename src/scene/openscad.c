@@ -12,6 +12,7 @@
 
 #include "common/join.h"
 #include "common/process.h"
+#include "scene/digits.h"
 #include "scene/viewpoint.h"
 
 /* One run of openscad. It starts as zeroes. */
@@ -150,19 +151,40 @@ static char **make_argv(struct run *run, const struct csgcast_scene_params *para
     return argv;
 }
 
-static bool execute(struct run *run, const struct csgcast_scene_params *params)
+static bool run_once(struct run *run, char *const *argv, char *const *environment)
 {
-    char **argv = make_argv(run, params);
-    if (!argv)
-        return csg_log_memory(run->log);
-    const int error = csg_process_start(&run->process, argv, NULL, NULL);
-    free(argv);
+    const int error = csg_process_start(&run->process, argv, NULL, NULL, environment);
     if (error)
         return fail_to_start(run, error);
     csg_process_wait(&run->process, 1, -1);
-    if (run->process.error)
-        return fail(run, run->program, run->process.error);
-    return !csg_process_is_missing(&run->process) || fail_to_start(run, ENOENT);
+    return !run->process.error || fail(run, run->program, run->process.error);
+}
+
+static bool has_failed(const struct run *run)
+{
+    const int status = run->process.status;
+    return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+/* Whether the module that makes it write all digits may be to blame: ld.so names it, or a crash. */
+static bool may_be_of_digits(const struct run *run)
+{
+    return has_failed(run) && (WIFSIGNALED(run->process.status) ||
+                               csg_openscad_mentions(&run->process.output, csg_digits_module));
+}
+
+static bool execute(struct run *run, const struct csgcast_scene_params *params)
+{
+    char **argv = make_argv(run, params);
+    char **environment = csg_digits_environment(run->flattened->folder);
+    bool done = argv ? run_once(run, argv, environment) : csg_log_memory(run->log);
+    if (done && environment && may_be_of_digits(run)) {
+        csg_process_finish(&run->process);
+        done = run_once(run, argv, NULL);
+    }
+    csg_digits_environment_free(environment);
+    free(argv);
+    return done && (!csg_process_is_missing(&run->process) || fail_to_start(run, ENOENT));
 }
 
 /* The cameras, out of what openscad printed. */
@@ -179,7 +201,7 @@ static bool take_cameras(struct run *run)
 static bool check(struct run *run)
 {
     const int status = run->process.status;
-    const bool failed = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+    const bool failed = has_failed(run);
     const bool has_error = csg_openscad_pass_on(run->log, "", &run->process.output, failed);
     if (!failed && !has_error)
         return true;

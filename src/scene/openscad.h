@@ -42,4 +42,7 @@ void csg_flattened_finish(struct csg_flattened *flattened);
 bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix,
                           struct csg_bytes *messages, bool failed);
 
+/* Whether text is anywhere in what openscad printed. */
+bool csg_openscad_mentions(const struct csg_bytes *messages, const char *text);
+
 #endif

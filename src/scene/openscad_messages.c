@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/array.h"
+#include "scene/digits.h"
 
 struct message_rule {
     const char *begin; /* of a line */
@@ -39,6 +40,18 @@ static bool is_fatal(const char *line, size_t length)
     return fatal;
 }
 
+bool csg_openscad_mentions(const struct csg_bytes *messages, const char *text)
+{
+    return contains(messages->data, messages->num, text);
+}
+
+/* ld.so says that it leaves the module out, by which there is no loss. */
+static bool is_of_digits(const char *line, size_t length)
+{
+    static const char begin[] = "ERROR: ld.so: ";
+    return strncmp(begin, line, sizeof begin - 1) == 0 && contains(line, length, csg_digits_module);
+}
+
 /* Returns whether the line means that the scene is incomplete. */
 static bool pass_on_line(const struct csg_log *log, const char *prefix, const char *line,
                          size_t length, bool failed)
@@ -46,7 +59,7 @@ static bool pass_on_line(const struct csg_log *log, const char *prefix, const ch
     const struct message_rule *rule = rules;
     while (rule->begin && strncmp(rule->begin, line, strlen(rule->begin)) != 0)
         rule++;
-    if (length == 0 || (!rule->begin && !failed))
+    if (length == 0 || (!rule->begin && !failed) || is_of_digits(line, length))
         return false;
     const bool is_error = rule->begin && strcmp(rule->begin, "ERROR:") == 0;
     const bool fatal = is_error && is_fatal(line, length);

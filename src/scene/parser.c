@@ -328,6 +328,7 @@ bool csg_document_parse(struct csg_document *document, const char *text, size_t 
     while (status != CSG_NO_MEMORY && parser.token.type != CSG_TOKEN_END)
         status = read_statement(&parser);
     close_all(&parser);
+    document->num_rounded = parser.lexer.num_rounded;
     csg_arguments_finish(&parser.arguments);
     free(parser.open.data);
     return status != CSG_NO_MEMORY;

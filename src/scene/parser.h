@@ -30,6 +30,7 @@ struct csg_document {
     const char *text; /* borrowed */
     size_t size;
     CSG_ARRAY(struct csg_parsed_node) nodes;
+    size_t num_rounded; /* numbers in it that may be rounded */
 };
 
 /*

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "scene/arguments.h"
+#include "scene/digits.h"
 #include "scene/edits.h"
 #include "scene/load.h"
 #include "scene/walk.h"
@@ -12,6 +13,7 @@ bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, 
 {
     const struct csg_origin *origin = &scene->edits->origins.data[leaf];
     *patch = (struct csg_patch){.index = leaf, .leaf = scene->leaves[leaf], .origin = *origin};
+    patch->has_all_digits = csg_digits_are_all(scene->source->text, scene->source->size);
     patch->leaf.shape.planes = patch->origin.shape.planes = NULL;
     patch->leaf.shape.surface = patch->origin.shape.surface = NULL;
     patch->origin.parameters = NULL;
@@ -39,14 +41,14 @@ void csg_patch_set_color(struct csg_patch *patch, const float color[4])
 }
 
 /* Of a number as the text would have it, see csg_value.rounding. */
-static double rounding_of(double number)
+static double rounding_of(const struct csg_patch *patch, double number)
 {
     char text[32];
     struct csg_number read;
     snprintf(text, sizeof text, "%.6g", fabs(number));
     const bool is_short =
         csg_number_read(text, strlen(text), &read) && read.value == fabs(number);
-    return is_short ? (double)read.rounding : 0;
+    return is_short && !patch->has_all_digits ? (double)read.rounding : 0;
 }
 
 void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16])
@@ -58,7 +60,7 @@ void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16])
             if (space->map.m[i][j] == entry)
                 continue;
             space->map.m[i][j] = entry;
-            space->error[i][j] = space->in_boolean ? rounding_of(entry) : 0;
+            space->error[i][j] = space->in_boolean ? rounding_of(patch, entry) : 0;
         }
     space->is_empty = false;
 }
@@ -84,6 +86,7 @@ static bool read_solid(struct csg_patch *patch, const struct csgcast_scene *scen
     struct csg_token token;
     csg_lexer_init(&lexer, text, size, 0, (struct csg_place){1, 1});
     csg_lexer_next(&lexer, &token);
+    lexer.has_all_digits = patch->has_all_digits;
     lexer.line_begin = strlen(ops->name) + 1; /* columns count from the first parameter */
     bool done = csg_arguments_read(&arguments, &lexer, &token, report) == CSG_DONE;
     if (done && token.type != CSG_TOKEN_END) {
@@ -168,7 +171,7 @@ void csg_patch_swap(struct csg_patch *patch, struct csgcast_scene *scene)
 {
     struct csg_leaf *leaf = &scene->leaves[patch->index];
     struct csg_origin *origin = &scene->edits->origins.data[patch->index];
-    const struct csg_patch before = {patch->index, *leaf, *origin};
+    const struct csg_patch before = {patch->index, *leaf, *origin, patch->has_all_digits};
     *leaf = patch->leaf;
     *origin = patch->origin;
     *patch = before;

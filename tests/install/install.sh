@@ -89,6 +89,7 @@ check "the module is in place" test -e "$prefix/$libdir/csgcast/csgcast-image.so
 check "the one for text as well" test -e "$prefix/$libdir/csgcast/csgcast-text.so"
 check "the one for drawings as well" test -e "$prefix/$libdir/csgcast/csgcast-clip.so"
 check "the one for bent faces as well" test -e "$prefix/$libdir/csgcast/csgcast-tess.so"
+check "the one for digits as well" test -e "$prefix/$libdir/csgcast/csgcast-digits.so"
 # The build folder must not be needed any more: no run path may lead there.
 check "the installed tool runs" "$prefix/bin/csgcast" --version
 check "no file names the build folder" bash -c "! grep -rlI '$build' '$prefix'"

@@ -184,6 +184,8 @@ struct csgcast_scene_info {
     const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
     size_t num_triangles;   /* of the leaves that are surfaces of triangles */
     size_t num_handed_off;  /* nodes that openscad has evaluated */
+    size_t num_rounded;     /* numbers of the text that may be rounded to six digits, as OpenSCAD
+                             * writes them; .scad: 0 where it could be made to write all */
     size_t num_ways;        /* entries in ways */
     const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
 };

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * csgcast-digits.so, loaded by LD_PRELOAD into the openscad that flattens a .scad file. OpenSCAD
+ * writes six digits of each number of a .csg, through two functions of shared libraries:
+ * double_conversion::DoubleToStringConverter::ToPrecision and operator<<(std::ostream &, double).
+ * These stand in front of them and ask for as many digits as it takes to read the same double
+ * again, but only while a file in the folder that CSGCAST_DIGITS names is open for writing: then
+ * the program has been evaluated, so that str(), echo() and text() say what they always say. If
+ * both have been seen at work, the file's last line says that no number in it is rounded
+ * (src/scene/digits.h); what another version of openscad prints in other ways stays as it is.
+ *
+ * It needs nothing but libc, so that it can be loaded into any program; where it cannot, ld.so
+ * leaves it out.
+ */
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ostream>
+
+#include <dlfcn.h>
+
+#include "scene/digits.h"
+
+#define TO_PRECISION                                                                               \
+    "_ZNK17double_conversion23DoubleToStringConverter11ToPrecisionEdiPNS_13StringBuilderE"
+#define INSERT "_ZNSo9_M_insertIdEERSoT_"
+
+/* A function of ours in front of the one of that name. */
+#define INSTEAD_OF(name) __asm__(name) __attribute__((visibility("default")))
+
+extern "C" {
+bool csgcast_digits_convert(const void *converter, double value, int digits,
+                            void *builder) INSTEAD_OF(TO_PRECISION);
+std::ostream *csgcast_digits_insert(std::ostream *stream, double value) INSTEAD_OF(INSERT);
+FILE *csgcast_digits_open(const char *name, const char *mode) INSTEAD_OF("fopen");
+FILE *csgcast_digits_open64(const char *name, const char *mode) INSTEAD_OF("fopen64");
+int csgcast_digits_close(FILE *file) INSTEAD_OF("fclose");
+}
+
+namespace {
+
+const int six = 6; /* what OpenSCAD asks for */
+
+FILE *output;                    /* the file that is being written, NULL: none */
+bool has_converted, has_inserted; /* the functions are those that openscad calls */
+
+bool is_output(const char *name, const char *mode)
+{
+    const char *folder = getenv("CSGCAST_DIGITS");
+    const size_t length = folder ? strlen(folder) : 0;
+    return length > 0 && strncmp(name, folder, length) == 0 && name[length] == '/' &&
+           mode[0] == 'w';
+}
+
+bool reads_back(double value, int digits)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%.*e", digits - 1, value);
+    return strtod(text, nullptr) == value;
+}
+
+/* 17 digits always do (Steele and White 1990). */
+int digits_of(double value)
+{
+    const int max = 17;
+    if (!std::isfinite(value) || reads_back(value, six))
+        return six;
+    int digits = 15;
+    while (digits < max && !reads_back(value, digits))
+        digits++;
+    return digits;
+}
+
+/* The function that ours stands in front of: of what was loaded behind us, or, in programs that
+ * load the library later and for themselves, of what the caller was linked with. */
+template <typename Function> Function *find(Function *known, const char *name, const void *caller)
+{
+    void *found = known ? reinterpret_cast<void *>(known) : dlsym(RTLD_NEXT, name);
+    Dl_info info;
+    if (!found && dladdr(caller, &info)) {
+        void *library = dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+        found = library ? dlsym(library, name) : nullptr;
+    }
+    return reinterpret_cast<Function *>(found);
+}
+
+typedef FILE *open_function(const char *, const char *);
+
+FILE *open_file(open_function *next, const char *name, const char *mode)
+{
+    FILE *file = next ? next(name, mode) : nullptr;
+    if (file && !output && is_output(name, mode))
+        output = file;
+    return file;
+}
+
+} // namespace
+
+bool csgcast_digits_convert(const void *converter, double value, int digits, void *builder)
+{
+    typedef bool function(const void *, double, int, void *);
+    static function *next;
+    next = find(next, TO_PRECISION, __builtin_return_address(0));
+    has_converted = true;
+    if (output && digits == six)
+        digits = digits_of(value);
+    return next && next(converter, value, digits, builder);
+}
+
+std::ostream *csgcast_digits_insert(std::ostream *stream, double value)
+{
+    typedef std::ostream *function(std::ostream *, double);
+    static function *next;
+    next = find(next, INSERT, __builtin_return_address(0));
+    has_inserted = true;
+    if (!next)
+        return stream;
+    if (!output || stream->precision() != six || (stream->flags() & std::ios_base::floatfield))
+        return next(stream, value);
+    stream->precision(digits_of(value));
+    next(stream, value);
+    stream->precision(six);
+    return stream;
+}
+
+FILE *csgcast_digits_open(const char *name, const char *mode)
+{
+    static open_function *next;
+    next = find(next, "fopen", __builtin_return_address(0));
+    return open_file(next, name, mode);
+}
+
+FILE *csgcast_digits_open64(const char *name, const char *mode)
+{
+    static open_function *next;
+    next = find(next, "fopen64", __builtin_return_address(0));
+    return open_file(next, name, mode);
+}
+
+int csgcast_digits_close(FILE *file)
+{
+    typedef int function(FILE *);
+    static function *next;
+    next = find(next, "fclose", __builtin_return_address(0));
+    if (file && file == output) {
+        output = nullptr;
+        if (has_converted && has_inserted)
+            fputs(CSG_DIGITS_MARK, file);
+    }
+    return next ? next(file) : EOF;
+}
