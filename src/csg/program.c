@@ -111,8 +111,12 @@ bool csg_program_append(struct csg_program *program, const struct csgcast_scene 
                         const struct csg_tree *tree, uint32_t begin)
 {
     const uint32_t end = tree->data[begin].end;
+    if (tree->data[begin].op == CSG_LEAF) {
+        const uint32_t flags = CSG_RECORD_START | csg_node_flags(scene, &tree->data[begin]);
+        return csg_array_push(program, ((struct csg_step){tree->data[begin].leaf, flags}));
+    }
     /* All space has no surface to see, hence no steps. */
-    if (tree->data[begin].op != CSG_LEAF && end == begin + 1)
+    if (end == begin + 1)
         return true;
     struct compiler compiler = {.scene = scene, .tree = tree, .begin = begin, .program = program};
     compiler.needs = calloc(end - begin, 1);

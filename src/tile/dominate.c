@@ -76,83 +76,95 @@ static bool is_inside(struct pair *pair)
 }
 
 /* Operands of one node that have the same effect: those of a union, or subtracted ones, of which
- * the largest matters, or the others, of which the smallest does. */
+ * the largest matters, or the others, of which the smallest does. Leaves of which nothing is known. */
 struct group {
-    uint32_t node;
-    bool negated;
+    uint32_t *leaves;
+    size_t num;
     bool largest;
 };
 
-static bool is_member(const struct csg_terms *terms, const struct csg_tree *tree, uint32_t i,
-                      const struct group *group)
-{
-    const struct csg_node *node = &tree->data[i];
-    return node->op == CSG_LEAF && node->negated == group->negated &&
-           terms->known[node->leaf] == CSG_VARIES;
-}
-
 /* Of a group's members those that begin first, or last, in this order. */
 struct dominators {
-    uint32_t nodes[MAX_DOMINATORS];
+    uint32_t leaves[MAX_DOMINATORS];
     double keys[MAX_DOMINATORS];
     size_t num;
 };
 
-static void add_dominator(struct dominators *found, uint32_t node, double key)
+static void add_dominator(struct dominators *found, uint32_t leaf, double key)
 {
     size_t i = found->num;
     if (i == MAX_DOMINATORS && key >= found->keys[i - 1])
         return;
     i = i < MAX_DOMINATORS ? found->num++ : i - 1;
     for (; i > 0 && key < found->keys[i - 1]; i--) {
-        found->nodes[i] = found->nodes[i - 1];
+        found->leaves[i] = found->leaves[i - 1];
         found->keys[i] = found->keys[i - 1];
     }
-    found->nodes[i] = node;
+    found->leaves[i] = leaf;
     found->keys[i] = key;
 }
 
-static void dominate_by(const struct csg_terms *terms, const struct csg_tree *tree,
-                        const struct csg_tile_box *tile, const struct group *group,
-                        uint32_t dominator)
+static bool dominate_by(const struct csg_terms *terms, const struct csg_tile_box *tile,
+                        const struct group *group, uint32_t own)
 {
-    const uint32_t own = tree->data[dominator].leaf;
     struct pair pair = {.terms = terms, .tile = tile};
-    for (uint32_t i = group->node + 1; i < tree->data[group->node].end; i = tree->data[i].end) {
-        if (i == dominator || !is_member(terms, tree, i, group))
+    bool any = false;
+    for (size_t i = 0; i < group->num; i++) {
+        const uint32_t leaf = group->leaves[i];
+        if (leaf == own || terms->known[leaf] != CSG_VARIES)
             continue;
-        const uint32_t leaf = tree->data[i].leaf;
         pair.outer = csg_terms_of(terms, group->largest ? own : leaf);
         pair.inner = csg_terms_of(terms, group->largest ? leaf : own);
         /* Of faces that coincide the first in the file shows. */
-        if (is_inside(&pair) && (!pair.touches || own < leaf))
-            terms->known[leaf] = group->largest ? CSG_NOTHING : CSG_EVERYTHING;
+        if (!is_inside(&pair) || (pair.touches && own > leaf))
+            continue;
+        terms->known[leaf] = group->largest ? CSG_NOTHING : CSG_EVERYTHING;
+        any = true;
+    }
+    return any;
+}
+
+static bool dominate_group(const struct csg_terms *terms, const struct csg_leaf_range *ranges,
+                           const struct csg_tile_box *tile, const struct group *group)
+{
+    struct dominators found = {.num = 0};
+    bool any = false;
+    for (size_t i = 0; i < group->num && group->num > 1; i++) {
+        const uint32_t leaf = group->leaves[i];
+        const double begin = ranges[terms->index[leaf]].entry.lo;
+        add_dominator(&found, leaf, group->largest ? begin : -begin);
+    }
+    for (size_t i = 0; i < found.num; i++)
+        if (terms->known[found.leaves[i]] == CSG_VARIES)
+            any |= dominate_by(terms, tile, group, found.leaves[i]);
+    return any;
+}
+
+static void list_members(const struct csg_terms *terms, const struct csg_tree *tree, uint32_t node,
+                         struct group *plain, struct group *negated)
+{
+    for (uint32_t i = node + 1; i < tree->data[node].end; i = tree->data[i].end) {
+        const struct csg_node *member = &tree->data[i];
+        struct group *group = member->negated ? negated : plain;
+        if (member->op == CSG_LEAF && terms->known[member->leaf] == CSG_VARIES)
+            group->leaves[group->num++] = member->leaf;
     }
 }
 
-static void dominate_group(const struct csg_terms *terms, const struct csg_tree *tree,
-                           const struct csg_leaf_range *leaves, const struct csg_tile_box *tile,
-                           const struct group *group)
+bool csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
+                  const struct csg_leaf_range *ranges, const struct csg_tile_box *tile,
+                  uint32_t *room)
 {
-    struct dominators found = {.num = 0};
-    for (uint32_t i = group->node + 1; i < tree->data[group->node].end; i = tree->data[i].end)
-        if (is_member(terms, tree, i, group))
-            add_dominator(&found, i, (group->largest ? 1 : -1) * leaves[i].entry.lo);
-    for (size_t i = 0; i < found.num; i++)
-        if (is_member(terms, tree, found.nodes[i], group))
-            dominate_by(terms, tree, tile, group, found.nodes[i]);
-}
-
-void csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
-                  const struct csg_leaf_range *leaves, const struct csg_tile_box *tile)
-{
-    for (uint32_t i = 0; i < tree->num; i++) {
+    bool any = false;
+    for (uint32_t i = 0; i < tree->num && tree->num > MIN_OPERANDS; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF || node->end - i <= MIN_OPERANDS)
             continue;
         const bool all = node->op == CSG_AND;
-        const struct group plain = {i, false, !all}, negated = {i, true, all};
-        dominate_group(terms, tree, leaves, tile, &plain);
-        dominate_group(terms, tree, leaves, tile, &negated);
+        struct group plain = {room, 0, !all}, negated = {room + tree->num, 0, all};
+        list_members(terms, tree, i, &plain, &negated);
+        any |= dominate_group(terms, ranges, tile, &plain);
+        any |= dominate_group(terms, ranges, tile, &negated);
     }
+    return any;
 }

@@ -13,10 +13,11 @@
 #include "tile/range.h"
 
 /*
- * Marks leaves of tree in terms->known that others of the same node make superfluous. leaves: by
- * node, their ranges in the tile.
+ * Marks leaves of tree in terms->known that others of the same node make superfluous; returns whether
+ * there are any. ranges: of the terms' leaves, in the tile. room: for twice as many as tree has nodes.
  */
-void csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
-                  const struct csg_leaf_range *leaves, const struct csg_tile_box *tile);
+bool csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
+                  const struct csg_leaf_range *ranges, const struct csg_tile_box *tile,
+                  uint32_t *room);
 
 #endif

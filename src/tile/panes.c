@@ -15,9 +15,14 @@
 /* Smaller trees are tiled sooner than threads start. */
 #define MIN_NODES 48
 
-/* Panes across and down, and the size below which there are fewer, in pixels. */
-#define MAX_PANES 4
+/* Panes are squares of as many pixels a side, or twice that, and so on, so that there are not more. */
 #define MIN_PANE_SIZE (4 * CSG_TILE_SIZE)
+#define MAX_PANES 32
+
+struct grid {
+    int size; /* of a pane; their edges are multiples of it */
+    int across, num;
+};
 
 struct pane {
     struct csg_frame frame;
@@ -47,29 +52,28 @@ static void tile_pane(void *user, size_t i)
     free(terms.known);
 }
 
-static int count_panes(int size)
+/* Panes of that size across or down. */
+static int count_panes(int lo, int hi, int size)
 {
-    const int num = size / MIN_PANE_SIZE;
-    return num < 1 ? 1 : num > MAX_PANES ? MAX_PANES : num;
+    return (hi + size - 1) / size - lo / size;
 }
 
-/* Edge number i of num, on a tile's edge but for the first and the last one. */
-static int edge(int lo, int hi, int i, int num)
+static int clamp(int x, int lo, int hi)
 {
-    const int first = lo / CSG_TILE_SIZE, last = (hi + CSG_TILE_SIZE - 1) / CSG_TILE_SIZE;
-    return i == 0 ? lo : i == num ? hi : (first + (last - first) * i / num) * CSG_TILE_SIZE;
+    return x < lo ? lo : x > hi ? hi : x;
 }
 
-static void cut_panes(const struct csg_tile_area *area, int across, int down, struct pane *panes)
+static void cut_panes(const struct csg_tile_area *area, const struct grid *grid,
+                      struct pane *panes)
 {
-    for (int i = 0; i < across * down; i++) {
-        const int x = i % across, y = i / across;
-        panes[i].area =
-            (struct csg_tile_area){.lo = {edge(area->lo[0], area->hi[0], x, across),
-                                          edge(area->lo[1], area->hi[1], y, down)},
-                                   .hi = {edge(area->lo[0], area->hi[0], x + 1, across),
-                                          edge(area->lo[1], area->hi[1], y + 1, down)},
-                                   .max_texels = area->max_texels / (size_t)(across * down)};
+    for (int i = 0; i < grid->num; i++) {
+        const int at[2] = {i % grid->across, i / grid->across};
+        panes[i].area.max_texels = area->max_texels / (size_t)grid->num;
+        for (int j = 0; j < 2; j++) {
+            const int lo = (area->lo[j] / grid->size + at[j]) * grid->size;
+            panes[i].area.lo[j] = clamp(lo, area->lo[j], area->hi[j]);
+            panes[i].area.hi[j] = clamp(lo + grid->size, area->lo[j], area->hi[j]);
+        }
     }
 }
 
@@ -94,34 +98,38 @@ static struct csg_tile_area area_of(const struct csg_rect *rect)
     return area;
 }
 
-/* How many panes there are across and down; 1 in all: the object is not cut into panes. */
-static int plan_panes(const struct csg_object *object, const struct csg_tile_area *area,
-                      int *across, int *down)
+/* How an object is cut into panes; one in all: it is not. */
+static struct grid plan_panes(const struct csg_object *object, const struct csg_tile_area *area)
 {
-    *across = count_panes(area->hi[0] - area->lo[0]);
-    *down = count_panes(area->hi[1] - area->lo[1]);
-    return object->end - object->begin < MIN_NODES ? 1 : *across * *down;
+    struct grid grid = {MIN_PANE_SIZE, 1, 1};
+    if (object->end - object->begin < MIN_NODES)
+        return grid;
+    for (;; grid.size *= 2) {
+        grid.across = count_panes(area->lo[0], area->hi[0], grid.size);
+        grid.num = grid.across * count_panes(area->lo[1], area->hi[1], grid.size);
+        if (grid.num <= MAX_PANES)
+            return grid;
+    }
 }
 
 bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect)
 {
     const struct csg_tile_area area = area_of(rect);
-    int across, down;
-    return plan_panes(object, &area, &across, &down) == 1;
+    return plan_panes(object, &area).num <= 1;
 }
 
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw)
 {
     const struct csg_tile_area area = area_of(rect);
-    int across, down;
-    const int num = plan_panes(object, &area, &across, &down);
-    if (num == 1)
+    const struct grid grid = plan_panes(object, &area);
+    if (grid.num <= 1)
         return csg_tile_area(terms, object, &area, draw);
-    struct job job = {terms, object, draw, calloc((size_t)num, sizeof *job.panes), (size_t)num};
+    struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
+    job.panes = calloc(job.num, sizeof *job.panes);
     if (!job.panes)
         return false;
-    cut_panes(&area, across, down, job.panes);
+    cut_panes(&area, &grid, job.panes);
     const bool ok = tile_panes(terms, &job);
     free(job.panes);
     return ok;

@@ -1,21 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "tile/range.h"
 
-/* Float rounding of the shader's evaluation, with room to spare: relative to its terms. */
-#define FLOAT_MARGIN 1e-6
-
-static struct csg_range affine(double c0, double cx, double cy, const struct csg_tile_box *tile)
+struct csg_tile_box csg_tile_box(const double center[2], const double half[2])
 {
-    const double mid = c0 + cx * tile->center[0] + cy * tile->center[1];
-    const double size = fabs(c0) + fabs(cx * tile->center[0]) + fabs(cy * tile->center[1]);
-    const double spread = fabs(cx) * tile->half[0] + fabs(cy) * tile->half[1];
-    const double reach = spread + FLOAT_MARGIN * (size + spread);
-    return (struct csg_range){mid - reach, mid + reach};
-}
-
-struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile)
-{
-    return affine(texel[0], texel[1], texel[2], tile);
+    struct csg_tile_box box;
+    for (int i = 0; i < 2; i++) {
+        box.center[i] = center[i];
+        box.half[i] = half[i];
+        box.reach[i] = half[i] + CSG_FLOAT_MARGIN * (fabs(center[i]) + half[i]);
+    }
+    return box;
 }
 
 /* Range of u (slope + curve u) over a range of u. */
@@ -23,9 +17,9 @@ static struct csg_range parabola(struct csg_range u, double slope, double curve)
 {
     const double a = u.lo * (slope + curve * u.lo), b = u.hi * (slope + curve * u.hi);
     struct csg_range range = {csg_smaller(a, b), csg_larger(a, b)};
-    const double top = curve != 0 ? -0.5 * slope / curve : u.lo;
-    if (top > u.lo && top < u.hi) {
-        const double extreme = top * (slope + curve * top);
+    const double rise = slope + 2 * curve * u.lo, fall = slope + 2 * curve * u.hi;
+    if ((rise > 0) != (fall > 0)) {
+        const double top = -0.5 * slope / curve, extreme = top * (slope + curve * top);
         range.lo = csg_smaller(range.lo, extreme);
         range.hi = csg_larger(range.hi, extreme);
     }
@@ -37,13 +31,13 @@ static struct csg_range parabola(struct csg_range u, double slope, double curve)
 static struct csg_range conic(const double *t, int code, const struct csg_tile_box *tile)
 {
     const double x1 = t[5], y1 = t[6];
-    const struct csg_range x = affine(t[4], x1, y1, tile);
-    const struct csg_range y = affine(t[8], -y1, x1, tile);
+    const struct csg_range x = csg_range_of_affine(t[4], x1, y1, tile);
+    const struct csg_range y = csg_range_of_affine(t[8], -y1, x1, tile);
     const double curve = code & CSG_QUADRIC_X_MINUS ? -1 : code & CSG_QUADRIC_X_PLUS ? 1 : 0;
     const struct csg_range xx = parabola(x, t[9], curve);
     const struct csg_range yy = parabola(y, t[10], t[11]);
     const double c0 = t[7];
-    const double margin = FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) +
+    const double margin = CSG_FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) +
                                           csg_larger(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
@@ -60,8 +54,8 @@ struct csg_quadric_range csg_range_of_quadric(const double *texels,
         range.always = false;
         return range;
     }
-    const struct csg_range m = affine(texels[0], texels[1], texels[2], tile);
-    const double margin = FLOAT_MARGIN * (fabs(m.lo) + fabs(m.hi) + most);
+    const struct csg_range m = csg_range_of_affine(texels[0], texels[1], texels[2], tile);
+    const double margin = CSG_FLOAT_MARGIN * (fabs(m.lo) + fabs(m.hi) + most);
     range.first = (struct csg_range){m.lo - most - margin, m.hi - least + margin};
     range.second = (struct csg_range){m.lo + least - margin, m.hi + most + margin};
     return range;
@@ -128,38 +122,56 @@ static struct csg_leaf_range surface_range(const struct csg_surface_view *view,
     return (struct csg_leaf_range){range, range, false};
 }
 
+static struct csg_leaf_range flat_range(const struct csg_terms *terms,
+                                       const struct csg_leaf_terms *leaf,
+                                       const struct csg_tile_box *tile)
+{
+    const double far = (double)CSG_KEY_MAX;
+    struct csg_leaf_range range = {{-far, -far}, {far, far}, true};
+    const double *texel = csg_terms_texel(terms, leaf, 0);
+    for (uint32_t i = 0; i < leaf->num_entries; i++, texel += 4)
+        later(&range.entry, csg_range_of_plane(texel, tile));
+    for (uint32_t i = 0; i < leaf->num_exits; i++, texel += 4)
+        sooner(&range.exit, csg_range_of_plane(texel, tile));
+    return range;
+}
+
 struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
                                         const struct csg_leaf_terms *leaf,
-                                        const struct csg_tile_box *tile, bool *planes,
-                                        bool *quadric)
+                                        const struct csg_tile_box *tile)
 {
-    const struct csg_range all = {-(double)CSG_KEY_MAX, -(double)CSG_KEY_MAX};
-    const struct csg_range end = {(double)CSG_KEY_MAX, (double)CSG_KEY_MAX};
-    struct csg_leaf_range range = {all, end, true};
     if (leaf->flags & CSG_RECORD_SURFACE)
         return surface_range(&terms->views.data[leaf->view], tile);
-    const uint32_t num = leaf->num_entries + leaf->num_exits;
-    for (uint32_t i = 0; i < num; i++) {
-        const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);
-        if (i < leaf->num_entries)
-            later(&range.entry, key);
-        else
-            sooner(&range.exit, key);
-    }
-    struct csg_quadric_range curved = {.region = CSG_QUADRIC_BETWEEN};
-    const struct csg_leaf_range flat = range;
+    struct csg_leaf_range range = flat_range(terms, leaf, tile);
     if (leaf->flags & CSG_RECORD_QUADRIC) {
-        curved = csg_range_of_quadric(csg_terms_texel(terms, leaf, num), tile);
+        const uint32_t place = leaf->num_entries + leaf->num_exits;
+        const struct csg_quadric_range curved =
+            csg_range_of_quadric(csg_terms_texel(terms, leaf, place), tile);
         if (!clip_quadric(&range, &curved))
             range.exit.hi = -INFINITY;
     }
     range.solid &= range.entry.hi < range.exit.lo;
-    if (!planes)
-        return range;
+    return range;
+}
+
+bool csg_range_filter(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                      const struct csg_leaf_range *range, const struct csg_tile_box *tile,
+                      bool *planes)
+{
+    const uint32_t num = leaf->num_entries + leaf->num_exits;
+    struct csg_leaf_range flat = {{-(double)CSG_KEY_MAX, 0}, {0, (double)CSG_KEY_MAX}, true};
     for (uint32_t i = 0; i < num; i++) {
         const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);
-        planes[i] = i < leaf->num_entries ? key.hi >= range.entry.lo : key.lo <= range.exit.hi;
+        const bool is_entry = i < leaf->num_entries;
+        planes[i] = is_entry ? key.hi >= range->entry.lo : key.lo <= range->exit.hi;
+        if (is_entry)
+            flat.entry.lo = csg_larger(flat.entry.lo, key.lo);
+        else
+            flat.exit.hi = csg_smaller(flat.exit.hi, key.hi);
     }
-    *quadric = leaf->flags & CSG_RECORD_QUADRIC && matters(&flat, &curved);
-    return range;
+    if (!(leaf->flags & CSG_RECORD_QUADRIC))
+        return false;
+    const struct csg_quadric_range curved =
+        csg_range_of_quadric(csg_terms_texel(terms, leaf, num), tile);
+    return matters(&flat, &curved);
 }

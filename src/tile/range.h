@@ -2,12 +2,17 @@
 #ifndef CSG_TILE_RANGE_H
 #define CSG_TILE_RANGE_H
 
+#include <math.h>
+
 #include "pack/terms.h"
 
 /* Pixel centres of a tile, counted from the reference pixel. */
 struct csg_tile_box {
     double center[2], half[2];
+    double reach[2]; /* half, and what float rounding may add, see csg_range_of_plane */
 };
+
+struct csg_tile_box csg_tile_box(const double center[2], const double half[2]);
 
 struct csg_range {
     double lo, hi;
@@ -32,7 +37,25 @@ static inline double csg_smaller(double a, double b)
     return a < b ? a : b;
 }
 
-struct csg_range csg_range_of_plane(const double texel[4], const struct csg_tile_box *tile);
+/* Float rounding of the shader's evaluation, with room to spare: relative to its terms. */
+#define CSG_FLOAT_MARGIN 1e-6
+
+/* Of an affine term: over the tile, and with FLOAT_MARGIN of |c0| + |cx x| + |cy y|, each at its
+ * largest there. */
+static inline struct csg_range csg_range_of_affine(double c0, double cx, double cy,
+                                                   const struct csg_tile_box *tile)
+{
+    const double mid = c0 + cx * tile->center[0] + cy * tile->center[1];
+    const double reach =
+        fabs(cx) * tile->reach[0] + fabs(cy) * tile->reach[1] + CSG_FLOAT_MARGIN * fabs(c0);
+    return (struct csg_range){mid - reach, mid + reach};
+}
+
+static inline struct csg_range csg_range_of_plane(const double texel[4],
+                                                  const struct csg_tile_box *tile)
+{
+    return csg_range_of_affine(texel[0], texel[1], texel[2], tile);
+}
 
 /* Of a quadric's two crossings; texels as shaders/solids/quadric.glsl reads them. */
 struct csg_quadric_range {
@@ -44,13 +67,14 @@ struct csg_quadric_range {
 struct csg_quadric_range csg_range_of_quadric(const double *texels,
                                              const struct csg_tile_box *tile);
 
-/*
- * The leaf's range. takes, where not NULL, gets which of its planes can be its entry or exit
- * somewhere in the tile, and whether its quadric can.
- */
 struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
                                         const struct csg_leaf_terms *leaf,
-                                        const struct csg_tile_box *tile, bool *planes,
-                                        bool *quadric);
+                                        const struct csg_tile_box *tile);
+
+/* Which of the planes of a leaf with that range can be its entry or exit somewhere in the tile;
+ * returns whether its quadric can. */
+bool csg_range_filter(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                      const struct csg_leaf_range *range, const struct csg_tile_box *tile,
+                      bool *planes);
 
 #endif

@@ -16,17 +16,17 @@ void csg_scan_finish(struct csg_scan *scan)
 }
 
 /* Before its start a node's set holds everything: a complement until its solid begins. */
-static double start_of(const struct csg_scan *scan, const struct csg_tree *tree,
-                       const struct csg_leaf_range *leaves, uint32_t i)
+static double start_of(const struct csg_scan *scan, const struct csg_terms *terms,
+                       const struct csg_tree *tree, const struct csg_leaf_range *ranges, uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
     if (node->op == CSG_LEAF)
-        return node->negated ? leaves[i].entry.lo : -INFINITY;
+        return node->negated ? ranges[terms->index[node->leaf]].entry.lo : -INFINITY;
     const bool all = node->op == CSG_AND;
     double start = all ? INFINITY : -INFINITY;
     for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
         const double own = scan->starts.data[child];
-        start = all ? fmin(start, own) : fmax(start, own);
+        start = all ? csg_smaller(start, own) : csg_larger(start, own);
     }
     return start;
 }
@@ -40,38 +40,50 @@ static int compare_operands(const void *a, const void *b)
     return x->node < y->node ? -1 : x->node > y->node;
 }
 
-/* csg_choose's order: solids before complements, then the order of the file. Chains ask for it. */
+/* csg_choose's order: solids before complements, then the order of the file. Chains of leaves ask for
+ * it. */
 static double rank_of(const struct csg_node *node)
 {
     return (double)node->leaf + (node->negated ? 0x1p32 : 0);
 }
 
-/* Whether all operands of the outermost intersection are leaves; they then get their rank for a
- * start. */
-static bool rank_operands(struct csg_scan *scan, const struct csg_tree *tree)
+/* A few, as nearly always: without a call of qsort's for each comparison. */
+static void sort_few(struct csg_scan *scan)
 {
-    for (size_t i = 0; i < scan->operands.num; i++) {
-        const struct csg_node *node = &tree->data[scan->operands.data[i].node];
-        if (node->op != CSG_LEAF)
-            return false;
-        scan->operands.data[i].start = rank_of(node);
+    struct csg_scan_operand *operands = scan->operands.data;
+    for (size_t i = 1; i < scan->operands.num; i++) {
+        const struct csg_scan_operand operand = operands[i];
+        size_t j = i;
+        for (; j > 0 && compare_operands(&operand, &operands[j - 1]) < 0; j--)
+            operands[j] = operands[j - 1];
+        operands[j] = operand;
     }
-    qsort(scan->operands.data, scan->operands.num, sizeof *scan->operands.data, compare_operands);
+}
+
+/* The operands of the outermost intersection, in their order. */
+static bool list_operands(struct csg_scan *scan, const struct csg_tree *tree, bool *only_leaves)
+{
+    scan->operands.num = 0;
+    *only_leaves = true;
+    for (uint32_t child = 1; child < tree->num; child = tree->data[child].end) {
+        const struct csg_scan_operand operand = {rank_of(&tree->data[child]), child};
+        *only_leaves &= tree->data[child].op == CSG_LEAF;
+        if (!csg_array_push(&scan->operands, operand))
+            return false;
+    }
     return true;
 }
 
-static bool sort_operands(struct csg_scan *scan, const struct csg_tree *tree,
-                          const struct csg_leaf_range *leaves)
+static bool sort_by_start(struct csg_scan *scan, const struct csg_terms *terms,
+                          const struct csg_tree *tree, const struct csg_leaf_range *ranges)
 {
-    scan->starts.num = scan->operands.num = 0;
+    scan->starts.num = 0;
     if (!csg_array_reserve(&scan->starts, tree->num))
         return false;
     for (size_t i = tree->num; i-- > 0;)
-        scan->starts.data[i] = start_of(scan, tree, leaves, (uint32_t)i);
-    for (uint32_t child = 1; child < tree->num; child = tree->data[child].end)
-        if (!csg_array_push(&scan->operands,
-                            ((struct csg_scan_operand){scan->starts.data[child], child})))
-            return false;
+        scan->starts.data[i] = start_of(scan, terms, tree, ranges, (uint32_t)i);
+    for (size_t i = 0; i < scan->operands.num; i++)
+        scan->operands.data[i].start = scan->starts.data[scan->operands.data[i].node];
     qsort(scan->operands.data, scan->operands.num, sizeof *scan->operands.data, compare_operands);
     return true;
 }
@@ -124,16 +136,20 @@ static bool add_operands(struct csg_scan *scan, const struct csgcast_scene *scen
     return true;
 }
 
-bool csg_scan_fill(struct csg_scan *scan, const struct csgcast_scene *scene,
-                   const struct csg_tree *tree, const struct csg_leaf_range *leaves, bool bounded)
+bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
+                   const struct csg_tree *tree, const struct csg_leaf_range *ranges, bool bounded)
 {
+    bool only_leaves;
     scan->program.num = scan->bounds.num = 0;
     if (!bounded || tree->data[0].op != CSG_AND)
-        return csg_program_append(&scan->program, scene, tree, 0);
-    if (!sort_operands(scan, tree, leaves))
+        return csg_program_append(&scan->program, terms->scene, tree, 0);
+    if (!list_operands(scan, tree, &only_leaves))
         return false;
     if (scan->operands.num >= MIN_OPERANDS)
-        return add_operands(scan, scene, tree, true);
-    return rank_operands(scan, tree) ? add_operands(scan, scene, tree, false)
-                                     : csg_program_append(&scan->program, scene, tree, 0);
+        return sort_by_start(scan, terms, tree, ranges) &&
+               add_operands(scan, terms->scene, tree, true);
+    if (!only_leaves)
+        return csg_program_append(&scan->program, terms->scene, tree, 0);
+    sort_few(scan);
+    return add_operands(scan, terms->scene, tree, false);
 }

@@ -26,10 +26,10 @@ struct csg_scan {
 void csg_scan_finish(struct csg_scan *scan);
 
 /*
- * Fills program and bounds. leaves: by node of tree, the ranges of its leaves in the tile. bounded:
- * whether there may be bounds; they hold for rays that start outside. false: out of memory.
+ * Fills program and bounds. ranges: of the terms' leaves, in the tile. bounded: whether there may be
+ * bounds; they hold for rays that start outside. false: out of memory.
  */
-bool csg_scan_fill(struct csg_scan *scan, const struct csgcast_scene *scene,
-                   const struct csg_tree *tree, const struct csg_leaf_range *leaves, bool bounded);
+bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
+                   const struct csg_tree *tree, const struct csg_leaf_range *ranges, bool bounded);
 
 #endif

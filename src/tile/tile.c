@@ -27,10 +27,10 @@ struct task {
     int lo[2], hi[2]; /* pixels [lo, hi) */
     struct csg_tree tree;
     struct csg_band_list bands; /* of stacks, that rays may meet */
-    size_t before[2];           /* leaves that mattered one and two cuts ago */
+    size_t before[2];           /* leaves that mattered in twice and in four times the area */
 };
 
-/* Where so many leaves are left and two cuts, to a quarter, spare less than this share of them, the
+/* Where so many leaves are left and a quarter of the area spares less than this share of them, the
  * tile is drawn as it is. */
 #define STUBBORN_LEAVES 256
 #define STUBBORN_SHARE 0.9
@@ -41,10 +41,10 @@ struct tiler {
     CSG_ARRAY(struct task) tasks;
     CSG_ARRAY(struct csg_tree) spare; /* memory of tasks that are done */
     struct csg_tree_room room;
-    CSG_ARRAY(struct csg_leaf_range) leaves; /* by node */
-    CSG_ARRAY(struct csg_leaf_range) known;  /* by leaf of the terms, of the tile at hand */
+    CSG_ARRAY(struct csg_leaf_range) ranges; /* by leaf of the terms, of the tile at hand */
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
+    CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
     CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
     CSG_ARRAY(uint8_t) values; /* by node, see node_value */
@@ -57,12 +57,12 @@ struct tiler {
 static struct csg_tile_box tile_box(const struct tiler *tiler, const struct task *task)
 {
     const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
-    struct csg_tile_box box;
+    double center[2], half[2];
     for (int i = 0; i < 2; i++) {
-        box.center[i] = 0.5 * (task->lo[i] + task->hi[i]) - at[i];
-        box.half[i] = 0.5 * (task->hi[i] - task->lo[i]) - 0.5;
+        center[i] = 0.5 * (task->lo[i] + task->hi[i]) - at[i];
+        half[i] = 0.5 * (task->hi[i] - task->lo[i]) - 0.5;
     }
-    return box;
+    return csg_tile_box(center, half);
 }
 
 static struct csg_range node_range(const struct tiler *tiler, const struct csg_tree *tree,
@@ -96,26 +96,27 @@ static struct csg_leaf_range leaf_range(const struct tiler *tiler, const struct 
     const struct csg_leaf_terms *terms = csg_terms_of(tiler->terms, leaf);
     if (!tiler->draw->around_eye && !is_in_rect(&terms->rect, task))
         return nowhere;
-    return csg_range_of_leaf(tiler->terms, terms, box, NULL, NULL);
+    return csg_range_of_leaf(tiler->terms, terms, box);
 }
 
-/* again: the leaves have had their ranges in this tile before. */
-static void fill_ranges(struct tiler *tiler, const struct task *task, bool again)
+/* Of a leaf of the tree at hand. */
+static struct csg_leaf_range *range_of(const struct tiler *tiler, uint32_t leaf)
 {
-    const struct csg_tile_box box = tile_box(tiler, task);
+    return &tiler->ranges.data[tiler->terms->index[leaf]];
+}
+
+static void fill_ranges(struct tiler *tiler, const struct task *task, const struct csg_tile_box *box)
+{
     for (size_t i = task->tree.num; i-- > 0;) {
         const struct csg_node *node = &task->tree.data[i];
         if (node->op != CSG_LEAF) {
             tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
             continue;
         }
-        struct csg_leaf_range *known = &tiler->known.data[tiler->terms->index[node->leaf]];
-        if (!again)
-            *known = leaf_range(tiler, task, &box, node->leaf);
-        const struct csg_leaf_range leaf = *known;
-        tiler->leaves.data[i] = leaf;
+        struct csg_leaf_range *leaf = range_of(tiler, node->leaf);
+        *leaf = leaf_range(tiler, task, box, node->leaf);
         tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
-                                             : (struct csg_range){leaf.entry.lo, leaf.exit.hi};
+                                             : (struct csg_range){leaf->entry.lo, leaf->exit.hi};
     }
 }
 
@@ -160,10 +161,13 @@ static uint8_t node_value(const struct tiler *tiler, const struct csg_tree *tree
 static bool is_everything(struct tiler *tiler, const struct csg_tree *tree, uint32_t begin,
                           double key)
 {
-    for (uint32_t i = tree->data[begin].end; i-- > begin;) {
+    const struct csg_node *first = &tree->data[begin];
+    if (first->op == CSG_LEAF)
+        return leaf_value(range_of(tiler, first->leaf), first->negated, key) == CSG_EVERYTHING;
+    for (uint32_t i = first->end; i-- > begin;) {
         const struct csg_node *node = &tree->data[i];
         tiler->values.data[i] = node->op == CSG_LEAF
-                                    ? leaf_value(&tiler->leaves.data[i], node->negated, key)
+                                    ? leaf_value(range_of(tiler, node->leaf), node->negated, key)
                                     : node_value(tiler, tree, i);
     }
     return tiler->values.data[begin] == CSG_EVERYTHING;
@@ -198,6 +202,42 @@ static void add_candidate(struct tiler *tiler, double key)
     keys[i] = key;
 }
 
+/* Where the object can have begun in all of the tile: in the solids that must all be there. */
+static struct csg_range solid_keys(const struct tiler *tiler, const struct csg_tree *tree)
+{
+    struct csg_range keys = {-INFINITY, INFINITY};
+    if (tree->data[0].op == CSG_OR)
+        return keys;
+    for (uint32_t i = tree->data[0].op == CSG_AND; i < tree->num; i = tree->data[i].end) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op != CSG_LEAF || node->negated)
+            continue;
+        const struct csg_leaf_range *leaf = range_of(tiler, node->leaf);
+        if (!leaf->solid)
+            return (struct csg_range){INFINITY, -INFINITY};
+        keys.lo = csg_larger(keys.lo, leaf->entry.hi);
+        keys.hi = csg_smaller(keys.hi, leaf->exit.lo);
+    }
+    return keys;
+}
+
+static void add_candidates(struct tiler *tiler, const struct csg_tree *tree)
+{
+    const struct csg_range within = solid_keys(tiler, tree);
+    for (size_t i = 0; i < tree->num && within.lo < within.hi; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op != CSG_LEAF)
+            continue;
+        const struct csg_leaf_range *leaf = range_of(tiler, node->leaf);
+        if (leaf->entry.lo > leaf->exit.hi || (!node->negated && !leaf->solid))
+            continue;
+        const double begin = node->negated ? leaf->exit.hi : leaf->entry.hi;
+        const double key = begin + 1e-9 * (1 + fabs(begin));
+        if (key > within.lo && key < within.hi)
+            add_candidate(tiler, key);
+    }
+}
+
 /*
  * A key at which every ray of the tile is inside the object: nothing behind it shows. Tried are the
  * places just behind where solids certainly begin and subtracted ones certainly end.
@@ -210,14 +250,7 @@ static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
     if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, MAX_CANDIDATES) ||
         !csg_array_reserve(&tiler->values, tree->num))
         return far;
-    for (size_t i = 0; i < tree->num; i++) {
-        const struct csg_leaf_range *leaf = &tiler->leaves.data[i];
-        if (tree->data[i].op != CSG_LEAF || leaf->entry.lo > leaf->exit.hi)
-            continue;
-        const double key = tree->data[i].negated ? leaf->exit.hi : leaf->entry.hi;
-        if (tree->data[i].negated || leaf->solid)
-            add_candidate(tiler, key + 1e-9 * (1 + fabs(key)));
-    }
+    add_candidates(tiler, tree);
     const double *keys = tiler->candidates.data;
     uint32_t doubt = 0;
     for (size_t i = 0; i < tiler->candidates.num && keys[i] < far; i++)
@@ -228,14 +261,18 @@ static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
     return far;
 }
 
-static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
+/* Whether something is known of a leaf. */
+static bool judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 {
+    bool found = false;
     struct csg_range *contexts = tiler->contexts.data;
     contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, opaque_key(tiler, tree)};
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
-            tiler->terms->known[node->leaf] = judge(&tiler->leaves.data[i], contexts[i]);
+            const uint8_t known = judge(range_of(tiler, node->leaf), contexts[i]);
+            tiler->terms->known[node->leaf] = known;
+            found |= known != CSG_VARIES;
             continue;
         }
         struct csg_range inside = contexts[i];
@@ -246,17 +283,17 @@ static void judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
         for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
             contexts[child] = inside;
     }
+    return found;
 }
 
 static bool reserve(struct tiler *tiler, size_t num)
 {
-    tiler->leaves.num = tiler->nodes.num = tiler->contexts.num = tiler->known.num = 0;
-    tiler->stacks.num = 0;
-    return csg_array_reserve(&tiler->leaves, num) &&
-           csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
-           csg_array_reserve(&tiler->known, tiler->terms->leaves.num) &&
-           csg_array_reserve(&tiler->nodes, num) &&
-           csg_array_reserve(&tiler->contexts, num);
+    tiler->nodes.num = tiler->contexts.num = tiler->ranges.num = 0;
+    tiler->stacks.num = tiler->members.num = 0;
+    return csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
+           csg_array_reserve(&tiler->ranges, tiler->terms->leaves.num) &&
+           csg_array_reserve(&tiler->nodes, num) && csg_array_reserve(&tiler->contexts, num) &&
+           csg_array_reserve(&tiler->members, 2 * num);
 }
 
 static size_t count_leaves(const struct csg_tree *tree)
@@ -295,36 +332,66 @@ static int tile_size(const struct tiler *tiler)
     return size ? size : CSG_TILE_SIZE;
 }
 
-/* A tile's edge between lo and hi, which are more than a tile apart, near their middle. Edges are
- * multiples of the size: drivers draw blocks of pixels, and a tile that lies across them has more
- * of them than it need have. */
-static int edge_between(int lo, int hi, int tile)
+/* Where to cut between lo and hi: at the multiple of the largest power of two tiles, *step pixels,
+ * so that tiles are squares where they can be. Drivers draw blocks of pixels, and a tile that lies
+ * across them has more of them than it need have. lo: there is no edge to cut at. */
+static int edge_between(int lo, int hi, int tile, int *step)
 {
-    const int middle = (lo + (hi - lo) / 2 + tile - 1) / tile * tile;
-    return middle < hi ? middle : middle - tile;
+    int edge = lo;
+    *step = 0;
+    for (int next = tile; (lo / next + 1) * next < hi; next *= 2) {
+        edge = (lo / next + 1) * next;
+        *step = next;
+    }
+    return edge;
 }
 
-/* Cuts across the longer side; takes the task's tree. */
-static bool cut(struct tiler *tiler, struct task *task)
+/* What task is to keep of itself: the part below edge on an axis, or the one above. */
+static void keep_part(struct task *task, int axis, int edge, bool upper)
 {
-    struct task other = *task;
-    other.bands = (struct csg_band_list){0};
-    const int axis = task->hi[0] - task->lo[0] >= task->hi[1] - task->lo[1] ? 0 : 1;
-    const int size = task->hi[axis] - task->lo[axis];
-    const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
-    const int middle = edge_between(task->lo[axis], task->hi[axis], tile);
-    if (!copy_tree(tiler, &task->tree, &other.tree) ||
-        !csg_band_list_copy(&task->bands, &other.bands)) {
-        free(other.tree.data);
-        return false;
+    if (upper)
+        task->lo[axis] = edge;
+    else
+        task->hi[axis] = edge;
+}
+
+/* Waits for its turn with a copy of the task's tree. */
+static bool add_task(struct tiler *tiler, const struct task *task)
+{
+    struct task copy = *task;
+    copy.bands = (struct csg_band_list){0};
+    if (copy_tree(tiler, &task->tree, &copy.tree) && csg_band_list_copy(&task->bands, &copy.bands) &&
+        csg_array_push(&tiler->tasks, copy))
+        return true;
+    free(copy.tree.data);
+    free(copy.bands.data);
+    return false;
+}
+
+/* Cuts into two or four, across the axes that have an edge of the larger step. */
+static bool cut(struct tiler *tiler, struct task *task, size_t num_leaves)
+{
+    int edges[2], steps[2], parts = 1;
+    for (int i = 0; i < 2; i++) {
+        const int size = task->hi[i] - task->lo[i];
+        const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
+        edges[i] = edge_between(task->lo[i], task->hi[i], tile, &steps[i]);
     }
-    task->hi[axis] = other.lo[axis] = middle;
-    const bool ok = csg_array_push(&tiler->tasks, other) && csg_array_push(&tiler->tasks, *task);
-    if (ok) {
-        task->tree = (struct csg_tree){0};
-        task->bands = (struct csg_band_list){0};
+    const bool cuts[2] = {steps[0] >= steps[1], steps[1] >= steps[0]};
+    task->before[1] = cuts[0] && cuts[1] ? num_leaves : task->before[0];
+    task->before[0] = num_leaves;
+    for (int i = 0; i < 2; i++)
+        parts *= cuts[i] ? 2 : 1;
+    for (int part = 0; part < parts; part++) {
+        struct task some = *task;
+        if (cuts[0])
+            keep_part(&some, 0, edges[0], part & 1);
+        if (cuts[1])
+            keep_part(&some, 1, edges[1], cuts[0] ? part >> 1 : part);
+        if (!add_task(tiler, &some))
+            return false;
     }
-    return ok;
+    return true;
 }
 
 static bool add_record(struct tiler *tiler, size_t i, const struct task *task,
@@ -344,7 +411,8 @@ static bool add_record(struct tiler *tiler, size_t i, const struct task *task,
     tiler->planes.num = 0;
     if (!csg_array_reserve(&tiler->planes, leaf->num_entries + leaf->num_exits + 1))
         return false;
-    csg_range_of_leaf(tiler->terms, leaf, box, tiler->planes.data, &filter.quadric);
+    filter.quadric = csg_range_filter(tiler->terms, leaf, range_of(tiler, step->leaf), box,
+                                      tiler->planes.data);
     filter.planes = tiler->planes.data;
     return csg_terms_add_record(tiler->terms, step, &filter);
 }
@@ -362,8 +430,7 @@ static bool emit(struct tiler *tiler, const struct task *task)
     struct csg_frame *frame = tiler->terms->frame;
     const struct csg_tile_box box = tile_box(tiler, task);
     struct csg_draw draw = *tiler->draw;
-    fill_ranges(tiler, task, true); /* of what is left */
-    if (!csg_scan_fill(&tiler->scan, tiler->terms->scene, &task->tree, tiler->leaves.data,
+    if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
                        !draw.around_eye))
         return false;
     draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
@@ -405,10 +472,10 @@ static bool run(struct tiler *tiler, struct task *task)
         return false;
     const struct csg_tile_box box = tile_box(tiler, task);
     csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
-    fill_ranges(tiler, task, false);
-    judge_leaves(tiler, &task->tree);
-    csg_dominate(tiler->terms, &task->tree, tiler->leaves.data, &box);
-    if (!csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
+    fill_ranges(tiler, task, &box);
+    bool found = judge_leaves(tiler, &task->tree);
+    found |= csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, &box, tiler->members.data);
+    if (found && !csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
     if (task->tree.num == 0) {
         tiler->terms->frame->tiles_empty++;
@@ -417,9 +484,7 @@ static bool run(struct tiler *tiler, struct task *task)
     const size_t num_leaves = count_leaves(&task->tree);
     if (!is_worth_cutting(tiler, task, num_leaves))
         return emit(tiler, task);
-    task->before[1] = task->before[0];
-    task->before[0] = num_leaves;
-    return cut(tiler, task);
+    return cut(tiler, task, num_leaves);
 }
 
 /* The object's own part of the layer's tree, counted from 0. */
@@ -465,8 +530,8 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.spare.data);
     csg_tree_room_finish(&tiler.room);
     free(tiler.tasks.data);
-    free(tiler.leaves.data);
-    free(tiler.known.data);
+    free(tiler.ranges.data);
+    free(tiler.members.data);
     free(tiler.nodes.data);
     free(tiler.contexts.data);
     free(tiler.stacks.data);
