@@ -10,25 +10,36 @@
 /* Side of a cell of directions: faces that coincide over a leaf are turned by far less. */
 #define DIRECTION_CELL (1.0 / 32)
 
+/* Neighbours are looked at where they are as near as this, in cells. Lengths: coincident faces
+ * differ by less, so that most of the time one cell of two does. Directions: the nearer one always.
+ */
+#define NEAR_LENGTH 0.25
+#define NEAR_DIRECTION 0.5
+
+/* Places of quadrics are counted in parts of a cell; a part more for their rounding. */
+#define PARTS 64
+#define NEAR_PARTS 17
+
 enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
 
 /* Directions no face of a real model is aligned with. */
 static const struct csg_vec3 generic[2] = {{0.4370160, 0.6180340, 0.6535291},
                                            {0.7236068, -0.5257311, 0.4472136}};
 
-/* Quadrics are told apart by their distances from two points, in radii of the scene from its
+/* Quadrics are told apart by their distances from three points, in radii of the scene from its
  * center, that have no model's symmetry. */
-static const struct csg_vec3 probes[2] = {{0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}};
+static const struct csg_vec3 probes[3] = {
+    {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.2371, -0.6127, -0.3343}};
 
 bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, double radius,
                      double slack, double tolerance)
 {
     index->center = center;
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 3; i++)
         index->probes[i] = csg_add(center, csg_scale(radius, probes[i]));
-    index->cell = fmax(4 * slack, 1e-9 * radius);
-    index->fine = fmax(4 * tolerance, 1e-12 * radius);
-    memset(index->normals, 0, sizeof index->normals);
+    index->cell = fmax(8 * slack, 2e-9 * radius);
+    index->fine = fmax(8 * tolerance, 2e-12 * radius);
+    index->directions = (struct csg_directions){{0}};
     index->entries.num = 0;
     index->buckets.num = 0;
     if (!csg_array_reserve(&index->buckets, INITIAL_BUCKETS))
@@ -46,29 +57,56 @@ void csg_index_finish(struct csg_carrier_index *index)
 
 /* Coordinates in cells. A plane and its reverse get the same ones: those of the normal that leans
  * towards the first generic direction. */
+static void direction_coordinates(struct csg_vec3 normal, double coordinates[2])
+{
+    /* A normal across the generic direction may flip under rounding: its sign says nothing. */
+    for (int i = 0; i < 2; i++)
+        coordinates[i] = fabs(csg_dot(normal, generic[i])) / DIRECTION_CELL;
+}
+
 static void plane_coordinates(const struct csg_carrier_index *index, const struct csg_plane *plane,
                               double coordinates[3])
 {
-    const double along = csg_dot(plane->normal, generic[0]);
-    const double s = along < 0 ? -1 : 1;
-    coordinates[0] = s * along / DIRECTION_CELL;
-    /* A normal across the generic direction may flip under rounding: its sign says nothing. */
-    coordinates[1] = fabs(csg_dot(plane->normal, generic[1])) / DIRECTION_CELL;
     const double offset = plane->offset - csg_dot(plane->normal, index->center);
+    direction_coordinates(plane->normal, coordinates);
     coordinates[2] = fabs(offset) / index->cell;
+}
+
+/* A third of the norm of f's second derivatives, squared: what it is of a sphere. */
+static double curvature(const struct csg_quadric *quadric)
+{
+    double sum = 0;
+    for (int j = 0; j < 3; j++)
+        for (int k = 0; k < 3; k++) {
+            double entry = 0;
+            for (int i = 0; i < 3; i++)
+                entry += quadric->diag[i] * quadric->to_canon.m[i][j] * quadric->to_canon.m[i][k];
+            sum += entry * entry;
+        }
+    return sqrt(sum / 3);
+}
+
+/*
+ * How far p is from the surface, nearly: exactly for a sphere, and bounded wherever the gradient
+ * vanishes (Taubin 1994, Distance approximations for rasterizing implicit curves, eq. 9, with one
+ * norm for all second derivatives). It does not depend on how the surface was brought to its
+ * normal form.
+ */
+static double distance_of(const struct csg_quadric *quadric, double curved, struct csg_vec3 p)
+{
+    const double value = fabs(csg_quadric_value(quadric, p));
+    const double slope = csg_length(csg_quadric_gradient(quadric, p));
+    const double sum = slope + sqrt(slope * slope + 4 * value * curved);
+    return sum > 0 ? 2 * value / sum : value;
 }
 
 static void quadric_coordinates(const struct csg_carrier_index *index,
                                 const struct csg_quadric *quadric, double coordinates[3])
 {
-    coordinates[2] = 0.5;
-    for (int i = 0; i < 2; i++) {
-        const double slope = csg_length(csg_quadric_gradient(quadric, index->probes[i]));
-        const double distance =
-            fabs(csg_quadric_value(quadric, index->probes[i])) / (slope > 0 ? slope : 1);
-        /* f/|grad f| follows a small change of the surface only to first order: wider cells. */
-        coordinates[i] = distance / (8 * index->cell);
-    }
+    const double curved = curvature(quadric);
+    /* The distance follows a small change of the surface only to first order: wider cells. */
+    for (int i = 0; i < 3; i++)
+        coordinates[i] = distance_of(quadric, curved, index->probes[i]) / (8 * index->cell);
 }
 
 static int64_t cell_of(double coordinate)
@@ -102,16 +140,22 @@ static bool double_buckets(struct csg_carrier_index *index)
     return true;
 }
 
-static bool add(struct csg_carrier_index *index, uint64_t key, int64_t normal,
-                uint32_t carrier)
+static bool add(struct csg_carrier_index *index, const struct csg_index_entry *entry)
 {
-    const struct csg_index_entry entry = {key, normal, carrier, NO_ENTRY};
     if (index->entries.num >= index->buckets.num && !double_buckets(index))
         return false;
-    if (!csg_array_push(&index->entries, entry))
+    if (!csg_array_push(&index->entries, *entry))
         return false;
     link_entry(index, (uint32_t)index->entries.num - 1);
     return true;
+}
+
+static bool add_with_normal(struct csg_carrier_index *index, uint64_t key, int64_t normal,
+                            uint32_t carrier)
+{
+    const struct csg_index_entry entry = {
+        .key = key, .normal = normal, .carrier = carrier, .next = NO_ENTRY};
+    return add(index, &entry);
 }
 
 /* Of a cell, for one of the three ways to look. */
@@ -172,13 +216,43 @@ static size_t direction_of(int64_t x, int64_t y)
            (size_t)((y < last ? y : last) + 1);
 }
 
-static void note_direction(struct csg_carrier_index *index, const double coordinates[3],
+static void note_direction(struct csg_directions *directions, const double coordinates[2],
                            int64_t normal)
 {
     int64_t *there =
-        &index->normals[direction_of(cell_of(coordinates[0]), cell_of(coordinates[1]))];
+        &directions->normals[direction_of(cell_of(coordinates[0]), cell_of(coordinates[1]))];
     if (*there != normal)
         *there = *there == 0 ? normal : -1;
+}
+
+void csg_directions_add(struct csg_directions *directions, const struct csg_plane *plane)
+{
+    double coordinates[2];
+    direction_coordinates(plane->normal, coordinates);
+    note_direction(directions, coordinates, number_of(plane->normal));
+}
+
+void csg_directions_merge(struct csg_directions *to, const struct csg_directions *from)
+{
+    for (size_t i = 0; i < CSG_NUM_DIRECTIONS * CSG_NUM_DIRECTIONS; i++)
+        if (from->normals[i] != 0 && from->normals[i] != to->normals[i])
+            to->normals[i] = to->normals[i] == 0 ? from->normals[i] : -1;
+}
+
+bool csg_directions_are_shared(const struct csg_directions *directions,
+                               const struct csg_plane *plane)
+{
+    const int64_t normal = number_of(plane->normal);
+    double coordinates[2];
+    direction_coordinates(plane->normal, coordinates);
+    for (int k = 0; k < 9; k++) {
+        const int64_t x = cell_of(coordinates[0]) + k % 3 - 1;
+        const int64_t y = cell_of(coordinates[1]) + k / 3 - 1;
+        const int64_t there = directions->normals[direction_of(x, y)];
+        if (there != 0 && there != normal)
+            return true;
+    }
+    return false;
 }
 
 static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -186,13 +260,13 @@ static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *
 {
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    note_direction(index, coordinates, normal);
+    note_direction(&index->directions, coordinates, normal);
     const uint64_t key = key_of(KEY_NORMAL, coordinates);
     for (uint32_t i = index->buckets.data[bucket_of(index, key)]; i != NO_ENTRY;
          i = index->entries.data[i].next)
         if (index->entries.data[i].key == key && index->entries.data[i].normal == normal)
             return true;
-    return add(index, key, normal, carrier);
+    return add_with_normal(index, key, normal, carrier);
 }
 
 bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -200,15 +274,47 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
 {
     const int64_t normal = number_of(plane->normal);
     const uint64_t key = parallel_key(normal, cell_of(parallel_coordinate(index, plane)));
-    return add(index, key, normal, carrier) && add_normal(index, plane, normal, carrier);
+    return add_with_normal(index, key, normal, carrier) &&
+           add_normal(index, plane, normal, carrier);
+}
+
+/* Only quadrics of equal normal forms, up to their sign, can be the same surface. */
+static uint64_t quadric_kind(const struct csg_quadric *quadric)
+{
+    int code = 0, negated = 0;
+    for (int i = 0; i < 4; i++) {
+        code = 3 * code + (int)quadric->diag[i] + 1;
+        negated = 3 * negated - (int)quadric->diag[i] + 1;
+    }
+    return KEY_QUADRIC + (uint64_t)(code < negated ? code : negated);
+}
+
+/* Modulo 2^16: only what is in one cell or in neighbours is compared. */
+static void put_place(const double coordinates[3], uint16_t place[3])
+{
+    for (int i = 0; i < 3; i++)
+        place[i] = (uint16_t)(uint64_t)cell_of(PARTS * coordinates[i]);
+}
+
+static bool is_near_place(const uint16_t a[3], const uint16_t b[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const uint16_t apart = (uint16_t)(a[i] - b[i] + NEAR_PARTS);
+        if (apart > 2 * NEAR_PARTS)
+            return false;
+    }
+    return true;
 }
 
 bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_quadric *quadric,
                            uint32_t carrier)
 {
+    struct csg_index_entry entry = {.carrier = carrier, .next = NO_ENTRY};
     double coordinates[3];
     quadric_coordinates(index, quadric, coordinates);
-    return add(index, key_of(KEY_QUADRIC, coordinates), 0, carrier);
+    entry.key = key_of(quadric_kind(quadric), coordinates);
+    put_place(coordinates, entry.place);
+    return add(index, &entry);
 }
 
 /* The neighbour of a coordinate's cell that it is nearer to. */
@@ -218,33 +324,65 @@ static int64_t neighbour_of(double coordinate)
     return coordinate - floor(coordinate) < 0.5 ? cell - 1 : cell + 1;
 }
 
-/* The face's cell and, in each of the first num coordinates, the neighbour it is nearer to. */
-static void start_probe(uint64_t kind, const double coordinates[3], int num,
-                        struct csg_index_probe *probe)
+static bool is_near(double coordinate, double near)
 {
-    int64_t near[3], far[3];
-    for (int i = 0; i < 3; i++) {
-        near[i] = cell_of(coordinates[i]);
-        far[i] = neighbour_of(coordinates[i]);
+    const double part = coordinate - floor(coordinate);
+    return !(fmin(part, 1 - part) > near);
+}
+
+/* The keys of a face's cell and of the neighbours that it is near to in some coordinates. */
+static int keys_around(uint64_t kind, const double coordinates[3], const double near[3],
+                       uint64_t keys[8])
+{
+    int num = 0, far = 0;
+    for (int i = 0; i < 3; i++)
+        far |= is_near(coordinates[i], near[i]) << i;
+    for (int k = 0; k < 8; k++) {
+        int64_t cell[3];
+        for (int i = 0; i < 3; i++)
+            cell[i] = k >> i & 1 ? neighbour_of(coordinates[i]) : cell_of(coordinates[i]);
+        if ((k & ~far) == 0)
+            keys[num++] = key_of_cell(kind, cell);
     }
-    probe->num_keys = 1 << num;
+    return num;
+}
+
+int csg_index_plane_keys(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                         uint64_t keys[8])
+{
+    const double coordinate = parallel_coordinate(index, plane);
+    const int64_t normal = number_of(plane->normal);
+    keys[0] = parallel_key(normal, cell_of(coordinate));
+    if (!is_near(coordinate, NEAR_LENGTH))
+        return 1;
+    keys[1] = parallel_key(normal, neighbour_of(coordinate));
+    return 2;
+}
+
+static const double near_lengths[3] = {NEAR_LENGTH, NEAR_LENGTH, NEAR_LENGTH};
+
+int csg_index_quadric_keys(const struct csg_carrier_index *index,
+                           const struct csg_quadric *quadric, uint64_t keys[8])
+{
+    double coordinates[3];
+    quadric_coordinates(index, quadric, coordinates);
+    return keys_around(quadric_kind(quadric), coordinates, near_lengths, keys);
+}
+
+/* Before its first cell. */
+static void rewind_probe(struct csg_index_probe *probe)
+{
     probe->without = 0;
+    probe->is_placed = false;
     probe->key = -1;
     probe->entry = NO_ENTRY;
-    for (int k = 0; k < probe->num_keys; k++)
-        probe->keys[k] = key_of_cell(kind, (const int64_t[3]){k & 1 ? far[0] : near[0],
-                                                              k & 2 ? far[1] : near[1],
-                                                              k & 4 ? far[2] : near[2]});
 }
 
 void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
                               struct csg_index_probe *probe)
 {
-    const double coordinate = parallel_coordinate(index, plane);
-    const int64_t normal = number_of(plane->normal);
-    *probe = (struct csg_index_probe){.num_keys = 2, .key = -1, .entry = NO_ENTRY};
-    probe->keys[0] = parallel_key(normal, cell_of(coordinate));
-    probe->keys[1] = parallel_key(normal, neighbour_of(coordinate));
+    rewind_probe(probe);
+    probe->num_keys = csg_index_plane_keys(index, plane, probe->keys);
 }
 
 /* Whether some other normal lies about there: in most models there is none. */
@@ -254,7 +392,7 @@ static bool has_neighbours(const struct csg_carrier_index *index, const double c
     for (int k = 0; k < 4; k++) {
         const int64_t x = k & 1 ? neighbour_of(coordinates[0]) : cell_of(coordinates[0]);
         const int64_t y = k & 2 ? neighbour_of(coordinates[1]) : cell_of(coordinates[1]);
-        const int64_t there = index->normals[direction_of(x, y)];
+        const int64_t there = index->directions.normals[direction_of(x, y)];
         if (there != 0 && there != normal)
             return true;
     }
@@ -264,12 +402,14 @@ static bool has_neighbours(const struct csg_carrier_index *index, const double c
 void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
                              struct csg_index_probe *probe)
 {
+    static const double near[3] = {NEAR_DIRECTION, NEAR_DIRECTION, NEAR_LENGTH};
     double coordinates[3];
     plane_coordinates(index, plane, coordinates);
-    start_probe(KEY_NORMAL, coordinates, 3, probe);
+    rewind_probe(probe);
     probe->without = number_of(plane->normal);
-    if (!has_neighbours(index, coordinates, probe->without))
-        probe->num_keys = 0;
+    probe->num_keys = has_neighbours(index, coordinates, probe->without)
+                          ? keys_around(KEY_NORMAL, coordinates, near, probe->keys)
+                          : 0;
 }
 
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
@@ -277,7 +417,19 @@ void csg_index_probe_quadric(const struct csg_carrier_index *index,
 {
     double coordinates[3];
     quadric_coordinates(index, quadric, coordinates);
-    start_probe(KEY_QUADRIC, coordinates, 2, probe);
+    rewind_probe(probe);
+    probe->num_keys = keys_around(quadric_kind(quadric), coordinates, near_lengths, probe->keys);
+    probe->is_placed = true;
+    put_place(coordinates, probe->place);
+}
+
+static bool is_asked_for(const struct csg_index_probe *probe, const struct csg_index_entry *entry)
+{
+    if (entry->key != probe->keys[probe->key])
+        return false;
+    if (probe->is_placed)
+        return is_near_place(probe->place, entry->place);
+    return probe->without == 0 || entry->normal != probe->without;
 }
 
 uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_probe *probe)
@@ -290,8 +442,7 @@ uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_
         }
         const struct csg_index_entry *entry = &index->entries.data[probe->entry];
         probe->entry = entry->next;
-        if (entry->key == probe->keys[probe->key] &&
-            (probe->without == 0 || entry->normal != probe->without))
+        if (is_asked_for(probe, entry))
             return entry->carrier;
     }
 }

@@ -16,7 +16,10 @@
 
 struct csg_index_entry {
     uint64_t key;   /* hash of what it is found by; different ones may share it */
-    int64_t normal; /* the number of a plane's normal */
+    union {
+        int64_t normal;    /* the number of a plane's normal */
+        uint16_t place[3]; /* of a quadric, more finely than its cell */
+    };
     uint32_t carrier;
     uint32_t next; /* of the same bucket; UINT32_MAX ends */
 };
@@ -24,13 +27,17 @@ struct csg_index_entry {
 /* Cells of directions a side, one more on each. */
 #define CSG_NUM_DIRECTIONS 36
 
+/* By direction: 0, the number of the only normal that lies there, or -1 for several. */
+struct csg_directions {
+    int64_t normals[CSG_NUM_DIRECTIONS * CSG_NUM_DIRECTIONS];
+};
+
 struct csg_carrier_index {
     struct csg_vec3 center; /* where offsets are measured */
-    struct csg_vec3 probes[2]; /* where quadrics are measured */
-    double cell; /* length; two coincident faces differ by less than half of it, where measured */
+    struct csg_vec3 probes[3]; /* where quadrics are measured */
+    double cell; /* length; coincident faces differ by less than a quarter of it, where measured */
     double fine; /* the same for parallel planes, which differ by as much everywhere */
-    /* By direction: 0, the number of the only normal that lies there, or -1 for several. */
-    int64_t normals[CSG_NUM_DIRECTIONS * CSG_NUM_DIRECTIONS];
+    struct csg_directions directions; /* of the planes in it */
     CSG_ARRAY(uint32_t) buckets;
     CSG_ARRAY(struct csg_index_entry) entries;
 };
@@ -41,6 +48,8 @@ struct csg_index_probe {
     int num_keys, key;
     uint32_t entry;
     int64_t without; /* the number of a normal that is not asked for; 0: none */
+    bool is_placed;  /* only what is near this place is: */
+    uint16_t place[3];
 };
 
 /* slack: how far coincident faces may be apart where they are measured; tolerance: on the leaf. */
@@ -61,6 +70,21 @@ void csg_index_probe_normals(const struct csg_carrier_index *index, const struct
                              struct csg_index_probe *probe);
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
                              const struct csg_quadric *quadric, struct csg_index_probe *probe);
+
+/* The same in numbers, for those who only ask whether anything is there: the keys of all cells that
+ * the probes above would look at, and how many they are. A plane's hold where no other normal is
+ * about, as csg_directions_are_shared tells once it knows all planes. */
+int csg_index_plane_keys(const struct csg_carrier_index *index, const struct csg_plane *plane,
+                         uint64_t keys[8]);
+int csg_index_quadric_keys(const struct csg_carrier_index *index,
+                           const struct csg_quadric *quadric, uint64_t keys[8]);
+
+/* Zero-initialise it. */
+void csg_directions_add(struct csg_directions *directions, const struct csg_plane *plane);
+void csg_directions_merge(struct csg_directions *to, const struct csg_directions *from);
+/* Whether other normals are in the plane's cell or one next to it. */
+bool csg_directions_are_shared(const struct csg_directions *directions,
+                               const struct csg_plane *plane);
 
 /* The next candidate, UINT32_MAX when there are no more. May repeat one. */
 uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_probe *probe);
