@@ -223,6 +223,10 @@ const struct csg_option csg_option_table[] = {
     {"p", 'p', REQUIRED, ALL, "FILE", "a customizer's parameters (JSON) for a .scad file",
      csg_set_parameter_file},
     {"P", 'P', REQUIRED, ALL, "SET", "which of the sets in it", csg_set_parameter_set},
+    {"font", 0, REQUIRED, ALL, "FILE",
+     "a font for text() besides the machine's; repeatable. Those that a\n"
+     ".scad names by use <x.ttf> are known",
+     csg_set_font},
     {"animate", 0, REQUIRED, RENDER, "N",
      "N pictures of a .scad file at $t = 0, 1/N, ...: name00000.png and on",
      csg_set_animate},

@@ -215,7 +215,8 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     /* One more than can be needed, so that the size is never 0. */
     options->defines = calloc((size_t)num + 1, sizeof *options->defines);
     options->inputs = calloc((size_t)num + 1, sizeof *options->inputs);
-    if (!options->defines || !options->inputs) {
+    options->fonts = calloc((size_t)num + 1, sizeof *options->fonts);
+    if (!options->defines || !options->inputs || !options->fonts) {
         csg_cli_error("out of memory");
         return false;
     }
@@ -232,6 +233,7 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
         return false;
     }
     options->scene.defines = options->defines;
+    options->scene.fonts = options->fonts;
     options->scene.log = options->renderer.log = options->write.log = csg_cli_log;
     options->scene.log_user = options->renderer.log_user = options->write.log_user =
         &options->quiet;
@@ -242,6 +244,8 @@ void csg_options_finish(struct csg_cli_options *options)
 {
     free(options->defines);
     free(options->inputs);
+    free(options->fonts);
+    options->fonts = NULL;
     options->defines = NULL;
     options->inputs = NULL;
 }

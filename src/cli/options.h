@@ -54,6 +54,7 @@ struct csg_cli_options {
     const char *camera;   /* the text of --camera, NULL: not given */
     const char *facets;   /* the text of --facets */
     const char **defines; /* what scene.defines points to; freed likewise */
+    const char **fonts;   /* likewise */
     bool quiet, stats, json, no_gl;
     int num_animated;  /* render: frames of an animation; 0: one picture */
     int num_frames;    /* bench: after the first image */

@@ -23,6 +23,12 @@ const char *csg_set_render(struct csg_cli_options *options, const char *value)
     return csg_set_define(options, "$preview=false");
 }
 
+const char *csg_set_font(struct csg_cli_options *options, const char *value)
+{
+    options->fonts[options->scene.num_fonts++] = value;
+    return *value ? NULL : "a font file";
+}
+
 const char *csg_set_parameter_file(struct csg_cli_options *options, const char *value)
 {
     options->scene.parameter_file = value;

@@ -8,6 +8,7 @@
 
 const char *csg_set_define(struct csg_cli_options *options, const char *value);
 const char *csg_set_render(struct csg_cli_options *options, const char *value);
+const char *csg_set_font(struct csg_cli_options *options, const char *value);
 const char *csg_set_parameter_file(struct csg_cli_options *options, const char *value);
 const char *csg_set_parameter_set(struct csg_cli_options *options, const char *value);
 const char *csg_set_animate(struct csg_cli_options *options, const char *value);

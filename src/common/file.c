@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "common/array.h"
+#include "common/join.h"
 
 /* Room asked for at a time where the size is not known. */
 static const size_t chunk_size = 1 << 16;
@@ -58,6 +59,30 @@ static bool read_sized(int fd, struct csg_bytes *bytes)
         return false;
     }
     return csg_file_read_all(fd, bytes);
+}
+
+static char *current_folder(void)
+{
+    char *name = NULL;
+    size_t size = 256;
+    do {
+        free(name);
+        size *= 2;
+        name = malloc(size);
+    } while (name && !getcwd(name, size) && errno == ERANGE);
+    return name;
+}
+
+char *csg_path_absolute(const char *path)
+{
+    if (path[0] == '/')
+        return csg_join("", path);
+    char *here = current_folder();
+    char *slashed = here ? csg_join(here, "/") : NULL;
+    char *absolute = slashed ? csg_join(slashed, path) : NULL;
+    free(here);
+    free(slashed);
+    return absolute;
 }
 
 char *csg_folder_make(void)

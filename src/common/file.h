@@ -22,6 +22,9 @@ bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_l
 /* Reads an open file to its end. false, with errno set, on failure. */
 bool csg_file_read_all(int fd, struct csg_bytes *bytes);
 
+/* The path from the root on, for the caller to free. NULL: out of memory. */
+char *csg_path_absolute(const char *path);
+
 /* Makes a folder of our own below $TMPDIR or /tmp. The caller frees the name and removes the
  * folder. NULL, with errno set, on failure. */
 char *csg_folder_make(void);

@@ -9,9 +9,13 @@
  * both have been seen at work, the file's last line says that no number in it is rounded
  * (src/scene/digits.h); what another version of openscad prints in other ways stays as it is.
  *
+ * A third one stands in front of fontconfig's FcConfigAppFontAddFile, by which openscad takes what
+ * use <x.ttf> names, and notes the file's name in that folder.
+ *
  * It needs nothing but libc, so that it can be loaded into any program; where it cannot, ld.so
  * leaves it out.
  */
+#include <climits>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +29,7 @@
 #define TO_PRECISION                                                                               \
     "_ZNK17double_conversion23DoubleToStringConverter11ToPrecisionEdiPNS_13StringBuilderE"
 #define INSERT "_ZNSo9_M_insertIdEERSoT_"
+#define ADD_FONT "FcConfigAppFontAddFile"
 
 /* A function of ours in front of the one of that name. */
 #define INSTEAD_OF(name) __asm__(name) __attribute__((visibility("default")))
@@ -33,6 +38,7 @@ extern "C" {
 bool csgcast_digits_convert(const void *converter, double value, int digits,
                             void *builder) INSTEAD_OF(TO_PRECISION);
 std::ostream *csgcast_digits_insert(std::ostream *stream, double value) INSTEAD_OF(INSERT);
+int csgcast_digits_font(void *config, const unsigned char *file) INSTEAD_OF(ADD_FONT);
 FILE *csgcast_digits_open(const char *name, const char *mode) INSTEAD_OF("fopen");
 FILE *csgcast_digits_open64(const char *name, const char *mode) INSTEAD_OF("fopen64");
 int csgcast_digits_close(FILE *file) INSTEAD_OF("fclose");
@@ -95,6 +101,18 @@ FILE *open_file(open_function *next, const char *name, const char *mode)
     return file;
 }
 
+/* The name from the root on: openscad changes its folder later. */
+void note_font(const char *list, const char *file)
+{
+    char *path = realpath(file, nullptr);
+    FILE *fonts = std::fopen(list, "a");
+    if (path && fonts)
+        std::fprintf(fonts, "%s\n", path);
+    if (fonts)
+        std::fclose(fonts);
+    std::free(path);
+}
+
 } // namespace
 
 bool csgcast_digits_convert(const void *converter, double value, int digits, void *builder)
@@ -122,6 +140,20 @@ std::ostream *csgcast_digits_insert(std::ostream *stream, double value)
     next(stream, value);
     stream->precision(six);
     return stream;
+}
+
+int csgcast_digits_font(void *config, const unsigned char *file)
+{
+    typedef int function(void *, const unsigned char *);
+    static function *next;
+    next = find(next, ADD_FONT, __builtin_return_address(0));
+    const int added = next ? next(config, file) : 0;
+    const char *folder = getenv("CSGCAST_DIGITS");
+    char name[PATH_MAX];
+    if (added && folder &&
+        snprintf(name, sizeof name, "%s/" CSG_DIGITS_FONTS, folder) < (int)sizeof name)
+        note_font(name, reinterpret_cast<const char *>(file));
+    return added;
 }
 
 FILE *csgcast_digits_open(const char *name, const char *mode)

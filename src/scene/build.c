@@ -202,6 +202,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                struct csg_handoff *handoff, struct csg_report *report)
 {
     struct csg_builder builder = {.document = document,
+                                  .params = params,
                                   .report = report,
                                   .scene = scene,
                                   .facets = params->facets,

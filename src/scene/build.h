@@ -55,6 +55,7 @@ struct csg_clip_state {
 
 struct csg_builder {
     const struct csg_document *document;
+    const struct csgcast_scene_params *params;
     struct csg_report *report;
     struct csgcast_scene *scene;
     enum csgcast_facets facets;

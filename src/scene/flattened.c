@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "common/join.h"
+#include "scene/digits.h"
 #include "scene/openscad.h"
 
 /* The name of a frame's text, as openscad --animate makes it; NULL: out of memory. */
@@ -19,6 +21,53 @@ static char *path_of(const struct csg_flattened *flattened, size_t frame)
     else if (path)
         snprintf(path, size, "%s/scene.csg", flattened->folder);
     return path;
+}
+
+static bool add_font(struct csg_flattened *flattened, const char *name, size_t length)
+{
+    char *font = malloc(length + 1);
+    if (!font)
+        return false;
+    memcpy(font, name, length);
+    font[length] = '\0';
+    if (csg_array_push(&flattened->fonts, font))
+        return true;
+    free(font);
+    return false;
+}
+
+static char *path_of_fonts(const struct csg_flattened *flattened)
+{
+    return csg_join(flattened->folder, "/" CSG_DIGITS_FONTS);
+}
+
+/* A font a line. */
+static bool add_listed(struct csg_flattened *flattened, const struct csg_bytes *list)
+{
+    const char *line = list->data, *const end = line + list->num;
+    bool ok = true;
+    while (line < end && ok) {
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
+        const size_t length = (size_t)((newline ? newline : end) - line);
+        ok = add_font(flattened, line, length);
+        line += length + 1;
+    }
+    return ok;
+}
+
+bool csg_flattened_find_fonts(struct csg_flattened *flattened,
+                              const struct csgcast_scene_params *params, const struct csg_log *log)
+{
+    struct csg_bytes list = {0};
+    char *path = path_of_fonts(flattened);
+    bool ok = path != NULL;
+    for (size_t i = 0; i < params->num_fonts && ok; i++)
+        ok = add_font(flattened, params->fonts[i], strlen(params->fonts[i]));
+    if (ok && csg_file_read(path, &list, &csg_log_silent)) /* no font, no list */
+        ok = add_listed(flattened, &list);
+    free(list.data);
+    free(path);
+    return ok || csg_log_memory(log);
 }
 
 bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,
@@ -45,8 +94,15 @@ void csg_flattened_finish(struct csg_flattened *flattened)
             unlink(path);
         free(path);
     }
+    char *fonts = flattened->folder ? path_of_fonts(flattened) : NULL;
+    if (fonts)
+        unlink(fonts);
+    free(fonts);
     if (flattened->folder)
         rmdir(flattened->folder);
     free(flattened->folder);
+    for (size_t i = 0; i < flattened->fonts.num; i++)
+        free(flattened->fonts.data[i]);
+    free(flattened->fonts.data);
     free(flattened->cameras.data);
 }

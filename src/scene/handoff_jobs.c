@@ -62,7 +62,7 @@ static bool add_fonts(struct csg_handoff_run *run, struct csg_bytes *key)
 {
     char line[32];
     if (!run->fonts_known)
-        run->fonts = csg_text_fonts();
+        run->fonts = csg_text_fonts(run->handoff->params);
     run->fonts_known = true;
     snprintf(line, sizeof line, "fonts %016llx\n", (unsigned long long)run->fonts);
     return csg_bytes_append_text(key, line);

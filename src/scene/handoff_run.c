@@ -105,12 +105,25 @@ static char *file_name(const struct csg_handoff_run *run, size_t job, const char
     return name;
 }
 
-static bool write_file(const char *name, const struct csg_bytes *bytes)
+/* Fonts that are not the machine's are not in the text. */
+static void write_fonts(FILE *file, const struct csgcast_scene_params *params)
+{
+    for (size_t i = 0; i < params->num_fonts; i++) {
+        char *path = csg_path_absolute(params->fonts[i]);
+        if (path)
+            fprintf(file, "use <%s> ", path);
+        free(path);
+    }
+}
+
+static bool write_input(const struct csg_handoff_run *run, const char *name,
+                        const struct csg_bytes *text)
 {
     FILE *file = fopen(name, "wb");
     if (!file)
         return false;
-    const bool done = fwrite(bytes->data, 1, bytes->num, file) == bytes->num;
+    write_fonts(file, run->handoff->params);
+    const bool done = fwrite(text->data, 1, text->num, file) == text->num;
     return fclose(file) == 0 && done;
 }
 
@@ -121,7 +134,7 @@ static int start_openscad(struct csg_handoff_run *run, struct csg_handoff_job *j
     char option_o[] = "-o", option_format[] = "--export-format=binstl", from_input[] = "-";
     char *argv[] = {run->program, option_o, output, option_format, from_input, NULL};
     const char *directory = run->handoff->params->directory;
-    const int error = write_file(input, &run->handoff->results.data[job->result].text)
+    const int error = write_input(run, input, &run->handoff->results.data[job->result].text)
                           ? csg_process_start(&job->process, argv, input, directory, NULL)
                           : errno;
     job->begun = csg_clock_ms() / 1000;

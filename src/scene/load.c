@@ -187,6 +187,8 @@ struct csgcast_scene *csg_scene_of_frame(const struct csg_flattened *flattened, 
     struct csg_bytes text;
     char *name = csg_join(params->name ? params->name : path, " (flattened by openscad)");
     named.name = name;
+    named.fonts = (const char *const *)flattened->fonts.data;
+    named.num_fonts = flattened->fonts.num;
     if (!name)
         csg_log_memory(&log);
     else if (csg_flattened_read(flattened, frame, &log, &text))

@@ -54,25 +54,9 @@ static bool make_folder(struct run *run)
     return run->output || csg_log_memory(run->log);
 }
 
-static char *current_directory(void)
-{
-    char *name = NULL;
-    size_t size = 256;
-    do {
-        free(name);
-        size *= 2;
-        name = malloc(size);
-    } while (name && !getcwd(name, size) && errno == ERANGE);
-    return name;
-}
-
 static bool make_absolute(struct run *run)
 {
-    char *here = run->path[0] == '/' ? csg_join("", "") : current_directory();
-    char *slashed = here ? csg_join(here, run->path[0] == '/' ? "" : "/") : NULL;
-    run->input = slashed ? csg_join(slashed, run->path) : NULL;
-    free(here);
-    free(slashed);
+    run->input = csg_path_absolute(run->path);
     return run->input || csg_log_memory(run->log);
 }
 
@@ -120,8 +104,8 @@ static size_t put_pair(char **argv, size_t num, const char *name, const char *va
     return num;
 }
 
-/* openscad [--render] [--animate N] [-p FILE -P SET] -o OUTPUT [-D name=value]... INPUT. The strings are borrowed;
- * the caller frees argv. */
+/* openscad [--render] [--animate N] [-p FILE -P SET] -o OUTPUT [-D name=value]... INPUT. The
+ * strings are borrowed; the caller frees argv. */
 static char **make_argv(struct run *run, const struct csgcast_scene_params *params)
 {
     const size_t num_defines = params->defines ? params->num_defines : 0;
@@ -229,7 +213,8 @@ bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *p
     struct run run = {.path = path, .program = csg_openscad_program(params), .log = log};
     run.flattened = flattened;
     flattened->num_frames = num_frames;
-    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) && check(&run);
+    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) &&
+                      check(&run) && csg_flattened_find_fonts(flattened, params, log);
     finish(&run);
     return done;
 }

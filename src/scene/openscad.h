@@ -12,6 +12,7 @@ const char *csg_openscad_program(const struct csgcast_scene_params *params);
 struct csg_flattened {
     char *folder;
     size_t num_frames; /* 0: one text, of no animation */
+    CSG_ARRAY(char *) fonts; /* of the parameters, and that the file uses */
     CSG_ARRAY(struct csgcast_camera) cameras; /* that the file asks for, a text; may be fewer */
 };
 
@@ -23,6 +24,11 @@ struct csg_flattened {
 bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *params,
                           size_t num_frames, const struct csg_log *log,
                           struct csg_flattened *flattened);
+
+/* Fills fonts, when openscad has run. false: a message was given. */
+bool csg_flattened_find_fonts(struct csg_flattened *flattened,
+                              const struct csgcast_scene_params *params,
+                              const struct csg_log *log);
 
 /* The text of a frame; the caller frees text->data. false: a message was given. */
 bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,

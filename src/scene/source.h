@@ -12,6 +12,7 @@ struct csg_source {
     size_t size;
     struct csgcast_scene_params params; /* without what the .scad had, and log: the text is flattened */
     char *name, *directory, *openscad, *cache;  /* those of params, owned; NULL as there */
+    char **fonts; /* likewise */
 };
 
 /* Takes text over, also where it fails. NULL: out of memory. */

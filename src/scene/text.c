@@ -15,7 +15,16 @@
 
 /* ---- the module --------------------------------------------------------------------------- */
 
-static bool open_module(struct csg_text_state *state)
+static void add_fonts(const struct csg_text_state *state, const struct csgcast_scene_params *params,
+                      const struct csg_log *log)
+{
+    for (size_t i = 0; i < params->num_fonts; i++)
+        if (!state->module->add(state->fonts, params->fonts[i]))
+            csg_log_warning(log, CSGCAST_MESSAGE_FILE, "cannot read the font %s", params->fonts[i]);
+}
+
+static bool open_module(struct csg_text_state *state, const struct csgcast_scene_params *params,
+                        const struct csg_log *log)
 {
     void *const handle = csg_module_open("csgcast-text.so", "CSGCAST_TEXT_MODULE");
     const struct csg_text_module *module =
@@ -23,6 +32,7 @@ static bool open_module(struct csg_text_state *state)
     struct csg_fonts *fonts = module ? module->create() : NULL;
     if (fonts) {
         *state = (struct csg_text_state){handle, module, fonts};
+        add_fonts(state, params, log);
         return true;
     }
     if (handle)
@@ -49,11 +59,11 @@ static void add_file(void *user, const char *path)
     *sum += csg_hash(csg_hash(CSG_HASH_START, path, strlen(path)), facts, sizeof facts);
 }
 
-uint64_t csg_text_fonts(void)
+uint64_t csg_text_fonts(const struct csgcast_scene_params *params)
 {
     struct csg_text_state state = {0};
     uint64_t sum = 0;
-    if (open_module(&state))
+    if (open_module(&state, params, &csg_log_silent))
         state.module->list(state.fonts, &sum, add_file);
     csg_text_finish(&state);
     return sum;
@@ -275,7 +285,7 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
                          "text: $fn makes %d segments of each curve, the most is %d; use a $fn "
                          "below 160000",
                          text.segments, MAX_SEGMENTS);
-    } else if (ok && is_there && !state->module && !open_module(state)) {
+    } else if (ok && is_there && !state->module && !open_module(state, walk->builder->params, &walk->builder->report->log)) {
         csg_walk_unsupported(walk, node,
                              "text needs csgcast-text.so, which is missing, or lacks its libraries "
                              "(Debian: libfreetype6 libharfbuzz0b libfontconfig1)");

@@ -12,8 +12,8 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
 /* Closes the module and the fonts of a walk. */
 void csg_text_finish(struct csg_text_state *state);
 
-/* A number for the fonts of this machine, another one after any of them has changed; 0: there is no
+/* A number for the fonts that there are, another one after any of them has changed; 0: there is no
  * module that knows them. */
-uint64_t csg_text_fonts(void);
+uint64_t csg_text_fonts(const struct csgcast_scene_params *params);
 
 #endif

@@ -41,6 +41,8 @@ struct csg_fonts;
 struct csg_text_module {
     struct csg_fonts *(*create)(void); /* NULL: no memory, or fontconfig has no configuration */
     void (*destroy)(struct csg_fonts *fonts);
+    /* One more font, before the first outline; false: it cannot be read, or is none. */
+    bool (*add)(struct csg_fonts *fonts, const char *path);
     enum csg_text_result (*outline)(struct csg_fonts *fonts, const struct csg_text *text,
                                     const struct csg_text_sink *sink);
     /* Names each file that outlines may depend on: all fonts, and what fontconfig has read. */
@@ -49,7 +51,7 @@ struct csg_text_module {
 
 /* The module's one symbol, a const struct csg_text_module, named with the version of this border.
  */
-#define CSG_TEXT_MODULE csg_text_module_2
-#define CSG_TEXT_MODULE_NAME "csg_text_module_2"
+#define CSG_TEXT_MODULE csg_text_module_3
+#define CSG_TEXT_MODULE_NAME "csg_text_module_3"
 
 #endif

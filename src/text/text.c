@@ -81,6 +81,11 @@ static struct csg_fonts *create(void)
     return NULL;
 }
 
+static bool add(struct csg_fonts *fonts, const char *path)
+{
+    return FcConfigAppFontAddFile(fonts->config, (const FcChar8 *)path) == FcTrue;
+}
+
 static void list_configuration(FcConfig *config, void *user, csg_font_file_fn *file)
 {
     FcStrList *names = FcConfigGetConfigFiles(config);
@@ -450,4 +455,4 @@ static enum csg_text_result outline(struct csg_fonts *fonts, const struct csg_te
 
 extern const struct csg_text_module CSG_TEXT_MODULE;
 __attribute__((visibility("default"))) const struct csg_text_module CSG_TEXT_MODULE = {
-    .create = create, .destroy = destroy, .outline = outline, .list = list};
+    .create = create, .destroy = destroy, .add = add, .outline = outline, .list = list};

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # scad.sh CSGCAST: what a .scad file and openscad's options for it say besides geometry: the
-# viewpoint ($vpr and its like), parameter sets, animations.
+# viewpoint ($vpr and its like), parameter sets, fonts, animations.
 
 csgcast=$(readlink -f "$1")
 # shellcheck source=tests/cli/checks.sh
@@ -70,8 +70,34 @@ same set defined
 picture unset box.scad "${camera[@]}"
 different unset set
 
+# ---- fonts that come with the file, on a machine that has Liberation Sans only ----
+mkdir machine fonts
+cp "$(find /usr/share/fonts -name LiberationSans-Regular.ttf | head -n 1)" machine/
+cp "$(find /usr/share/fonts -name LiberationSerif-Bold.ttf | head -n 1)" fonts/bold.ttf
+echo "<fontconfig><dir>$work/machine</dir><cachedir>$work/fonts</cachedir></fontconfig>" >fonts.conf
+export FONTCONFIG_FILE=$work/fonts.conf
+text='text("ag", font = "Liberation Serif:style=Bold");'
+echo "$text" >bare.csg
+echo "include <letters.scad>" >text.scad
+printf 'use <fonts/bold.ttf>\n%s' "$text" >letters.scad
+echo "minkowski() { $text import_dxf(file = \"dot.dxf\"); }" >sum.csg
+camera=(--camera=5,5,0,0,0,0,40)
+picture none bare.csg "${camera[@]}"
+picture font bare.csg --font=fonts/bold.ttf "${camera[@]}"
+different none font
+picture used text.scad "${camera[@]}"
+same font used
+echo 'square(0.01);' >dot.scad
+openscad -o dot.dxf dot.scad >openscad.log 2>&1 || cat openscad.log
+picture sum-none sum.csg --no-cache "${camera[@]}"
+picture sum sum.csg --no-cache --font=fonts/bold.ttf "${camera[@]}"
+different sum-none sum
+expect 0 "a font that is none" render bare.csg --font=bare.csg "${small[@]}" -o bare.png
+says "cannot read the font bare.csg"
+unset FONTCONFIG_FILE
+
 # ---- animations. $t is there from the file's first line on. ----
-rm -f ./*
+rm -rf ./*
 echo 'x = 10 * $t; $vpr = [60, 0, 90 * $t]; $vpd = 50; translate([x, 0, 0]) cube(2); echo(x);' >turn.scad
 expect 0 "four frames" render turn.scad --animate=4 "${small[@]}" -o frame.ppm
 says "ECHO: 7.5"

@@ -93,6 +93,9 @@ struct csgcast_scene_params {
     size_t num_defines;          /* default 0 */
     const char *parameter_file;  /* a customizer's JSON file, openscad's -p, and */
     const char *parameter_set;   /* the name of the set in it, -P. NULL: none */
+    const char *const *fonts;    /* num_fonts font files for text() besides the machine's, as
+                                  * OpenSCAD's use <x.ttf>; those that a .scad uses are known */
+    size_t num_fonts;            /* default 0 */
     const char *directory;       /* where relative file names in the scene start. NULL: that of the
                                   * path; the working directory for text in memory and "-" */
     const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
