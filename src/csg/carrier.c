@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "csg/carrier_index.h"
+#include "csg/loners.h"
 #include "csg/object.h"
 #include "csg/plane_table.h"
 #include "mesh/surface.h"
@@ -41,6 +42,9 @@ struct builder {
     CSG_ARRAY(double) quadric_rounding;
     struct csg_carrier_index index;
     struct csg_plane_table planes; /* that were met */
+    bool *wanted;               /* by leaf: it is in leaves */
+    bool is_alone;              /* the only leaf: no face can coincide with another */
+    struct csg_loners loners;   /* neither in the index nor in the table */
     double radius;              /* of the finite part of the scene */
     double largest_rounding;    /* of the leaves at hand */
     CSG_ARRAY(struct ranked_leaf) leaves; /* largest first */
@@ -238,10 +242,17 @@ static int8_t carrier_sheet(const struct csg_shape *shape, const struct csg_quad
     return (int8_t)(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < 0 ? -shape->sheet : shape->sheet);
 }
 
+static bool is_loner(const struct builder *builder, const uint8_t *loners, size_t i)
+{
+    return builder->is_alone || (loners && loners[i]);
+}
+
 static bool assign_plane(struct builder *builder, const struct csg_plane *plane,
-                         const struct extent *extent, bool alone, struct csg_face *face)
+                         const struct extent *extent, struct csg_face *face)
 {
     struct csg_carriers *carriers = builder->carriers;
+    const bool alone =
+        is_loner(builder, builder->loners.planes, (size_t)(face - carriers->faces));
     if (alone)
         return add_plane(builder, plane, extent, alone, face);
     const bool was_met = csg_plane_table_find(&builder->planes, carriers->planes, plane, face);
@@ -265,7 +276,7 @@ static int compare_planes(const void *a, const void *b)
 }
 
 /* Each face of a surface counts where it is, the largest first. */
-static bool assign_surface(struct builder *builder, uint32_t leaf, bool alone)
+static bool assign_surface(struct builder *builder, uint32_t leaf)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const struct csg_surface *surface = shape->surface;
@@ -281,28 +292,29 @@ static bool assign_surface(struct builder *builder, uint32_t leaf, bool alone)
         const uint32_t plane = ranked[i].plane;
         const struct extent extent = {extents[plane].center, extents[plane].radius,
                                       extents[plane].radius, shape->rounding};
-        ok = assign_plane(builder, &surface->planes.data[plane], &extent, alone, &faces[plane]);
+        ok = assign_plane(builder, &surface->planes.data[plane], &extent, &faces[plane]);
     }
     free(extents);
     free(ranked);
     return ok;
 }
 
-static bool assign_leaf(struct builder *builder, uint32_t leaf, bool alone)
+static bool assign_leaf(struct builder *builder, uint32_t leaf)
 {
     struct csg_carriers *carriers = builder->carriers;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const struct extent extent = leaf_extent(builder, leaf);
     if (shape->surface)
-        return assign_surface(builder, leaf, alone);
+        return assign_surface(builder, leaf);
     for (size_t i = 0; i < shape->num_planes; i++) {
         struct csg_face *face = &carriers->faces[carriers->face_begin[leaf] + i];
-        if (!assign_plane(builder, &shape->planes[i], &extent, alone, face))
+        if (!assign_plane(builder, &shape->planes[i], &extent, face))
             return false;
     }
     if (!shape->has_quadric)
         return true;
     struct csg_face *face = &carriers->quadric_faces[leaf];
+    const bool alone = is_loner(builder, builder->loners.quadrics, leaf);
     if (!alone && find_quadric(builder, leaf, &extent, face))
         carriers->num_shared++;
     else if (!add_quadric(builder, leaf, &extent, alone, face))
@@ -329,16 +341,16 @@ static int compare_ranked(const void *a, const void *b)
     return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
 }
 
-static bool rank_object(struct builder *builder, const struct csg_object *object, bool *ranked)
+static bool rank_object(struct builder *builder, const struct csg_object *object)
 {
     const struct csgcast_scene *scene = builder->scene;
     const struct csg_tree *tree = &scene->trees[object->layer];
     bool ok = true;
     for (uint32_t i = object->begin; i < object->end && ok; i++) {
         const uint32_t leaf = tree->data[i].leaf;
-        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || ranked[leaf])
+        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || builder->wanted[leaf])
             continue;
-        ranked[leaf] = true;
+        builder->wanted[leaf] = true;
         const double radius =
             scene->leaves[leaf].shape.surface ? 0 : leaf_extent(builder, leaf).radius;
         ok = csg_array_push(&builder->leaves, ((struct ranked_leaf){size_of(radius), leaf}));
@@ -352,41 +364,47 @@ static bool rank_object(struct builder *builder, const struct csg_object *object
 static bool rank_leaves(struct builder *builder)
 {
     const struct csgcast_scene *scene = builder->scene;
-    bool *ranked = calloc(scene->num_leaves + 1, sizeof *ranked);
-    bool ok = ranked && csg_array_reserve(&builder->leaves, scene->num_leaves);
+    builder->wanted = calloc(scene->num_leaves + 1, sizeof *builder->wanted);
+    bool ok = builder->wanted && csg_array_reserve(&builder->leaves, scene->num_leaves);
     for (size_t i = 0; i < scene->objects->num && ok; i++)
-        ok = rank_object(builder, &scene->objects->data[i], ranked);
+        ok = rank_object(builder, &scene->objects->data[i]);
     if (ok && builder->leaves.num)
         qsort(builder->leaves.data, builder->leaves.num, sizeof *builder->leaves.data,
               compare_ranked);
-    free(ranked);
     return ok;
 }
 
-/* Where the faces are hashed: the finite part of the scene, and how far two matching faces can
- * differ there at most. */
-static bool start_index(struct builder *builder)
+/* The finite part of the scene: where the faces are hashed. */
+static struct csg_box finite_box(const struct builder *builder)
 {
+    const struct csgcast_scene *scene = builder->scene;
     struct csg_box box = csg_box_empty;
-    for (size_t i = 0; i < builder->leaves.num; i++) {
-        const struct csg_box leaf =
-            csg_leaf_box(&builder->scene->leaves[builder->leaves.data[i].leaf]);
-        if (csg_box_is_finite(&leaf))
+    for (size_t i = 0; i < scene->num_leaves; i++) {
+        const struct csg_box leaf = csg_leaf_box(&scene->leaves[i]);
+        if (builder->wanted[i] && csg_box_is_finite(&leaf))
             box = csg_box_union(&box, &leaf);
     }
+    return box;
+}
+
+/* ... and how far two matching faces can differ there at most. */
+static bool start_index(struct builder *builder)
+{
+    const struct csgcast_scene *scene = builder->scene;
+    const struct csg_box box = finite_box(builder);
     const bool empty = csg_box_is_empty(&box);
     const struct csg_vec3 center =
         empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
     builder->radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
     double slack = 0, largest = 0;
     builder->largest_rounding = 0;
-    for (size_t i = 0; i < builder->leaves.num; i++) {
-        const uint32_t leaf = builder->leaves.data[i].leaf;
-        const struct extent extent = leaf_extent(builder, leaf);
+    for (uint32_t i = 0; i < scene->num_leaves; i++) {
+        if (!builder->wanted[i])
+            continue;
+        const struct extent extent = leaf_extent(builder, i);
         const double length = 2 * tolerance(&extent, extent.rounding);
-        const double lever = builder->scene->leaves[leaf].shape.surface
-                                 ? MAX_LEVER
-                                 : builder->radius / extent.radius;
+        const double lever =
+            scene->leaves[i].shape.surface ? MAX_LEVER : builder->radius / extent.radius;
         slack = fmax(slack, length * (1 + fmin(lever, MAX_LEVER)));
         largest = fmax(largest, length);
         builder->largest_rounding = fmax(builder->largest_rounding, extent.rounding);
@@ -400,13 +418,15 @@ static bool assign_all(struct builder *builder)
 {
     if (!rank_leaves(builder))
         return false;
-    const bool alone =
-        builder->leaves.num == 1 &&
-        !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
-    if (!alone && !start_index(builder))
+    builder->is_alone = builder->leaves.num == 1 &&
+                        !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
+    if (!builder->is_alone &&
+        (!start_index(builder) ||
+         !csg_loners_find(&builder->loners, builder->scene, builder->wanted,
+                          builder->carriers->face_begin, &builder->index)))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
-        if (!assign_leaf(builder, builder->leaves.data[i].leaf, alone))
+        if (!assign_leaf(builder, builder->leaves.data[i].leaf))
             return false;
     return true;
 }
@@ -465,6 +485,8 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
     if (ok)
         fill_boxes(scene, builder.carriers);
     csg_index_finish(&builder.index);
+    csg_loners_finish(&builder.loners);
+    free(builder.wanted);
     csg_plane_table_finish(&builder.planes);
     free(builder.plane_rounding.data);
     free(builder.quadric_rounding.data);

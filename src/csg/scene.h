@@ -53,6 +53,7 @@ struct csgcast_scene {
     char *name;            /* for messages */
     struct csg_source *source; /* scene/: the text it was read from */
     struct csg_edits *edits;   /* scene/: NULL until the first edit */
+    int num_threads;       /* that may work on it, see csg_parallel */
     bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
     uint64_t revision;     /* grows with each edit */

@@ -212,6 +212,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .handoff = handoff,
                                   .num_threads = params->num_threads,
                                   .directory = params->directory ? params->directory : "."};
+    scene->num_threads = params->num_threads;
     builder.repeats = csg_repeats_create();
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
                 csg_build_unsupported(&builder) && csg_build_leaves(&builder);

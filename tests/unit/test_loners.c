@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * In a large scene most faces are alone, and those that are not are found all the same: cubes and
+ * spheres with whole numbers as coordinates have as many planes and quadrics as there are different
+ * numbers, and equal numbers have one carrier.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "csg/carrier.h"
+#include "csg/scene.h"
+
+enum { NUM_CUBES = 4000, NUM_SPHERES = 3000, RANGE = 30000, ROOM = 1 << 20 };
+
+static unsigned long long state = 5;
+
+static unsigned random_below(unsigned n)
+{
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return (unsigned)(state >> 33) % n;
+}
+
+struct text {
+    char *data;
+    size_t num;
+};
+
+static void put(struct text *text, const unsigned at[3], const char *solid)
+{
+    text->num += (size_t)snprintf(text->data + text->num, ROOM - text->num,
+                                  "multmatrix([[1,0,0,%u],[0,1,0,%u],[0,0,1,%u],[0,0,0,1]])%s\n",
+                                  at[0], at[1], at[2], solid);
+}
+
+/* Faces of the cubes: used[axis][offset]. */
+static size_t put_cubes(struct text *text, bool (*used)[RANGE + 100])
+{
+    size_t num = 0;
+    for (int i = 0; i < NUM_CUBES; i++) {
+        const unsigned size = 1 + random_below(99);
+        unsigned at[3];
+        char solid[32];
+        snprintf(solid, sizeof solid, "cube(%u);", size);
+        for (int axis = 0; axis < 3; axis++) {
+            at[axis] = random_below(RANGE);
+            num += (used[axis][at[axis]] ? 0u : 1u) + (used[axis][at[axis] + size] ? 0u : 1u);
+            used[axis][at[axis]] = used[axis][at[axis] + size] = true;
+        }
+        put(text, at, solid);
+    }
+    return num;
+}
+
+/* Every tenth is the one before it. */
+static size_t put_spheres(struct text *text)
+{
+    unsigned last[4] = {0};
+    size_t num = 0;
+    for (int i = 0; i < NUM_SPHERES; i++) {
+        char solid[32];
+        if (i % 10 != 9) {
+            for (int axis = 0; axis < 3; axis++)
+                last[axis] = random_below(RANGE);
+            last[3] = (unsigned)i; /* so that no other is as large */
+            num++;
+        }
+        snprintf(solid, sizeof solid, "sphere(%u.5);", last[3]);
+        put(text, last, solid);
+    }
+    return num;
+}
+
+static void check_planes(const struct csgcast_scene *scene, size_t num_planes)
+{
+    const struct csg_carriers *carriers = scene->carriers;
+    CHECK(carriers->num_planes == num_planes, "%zu planes, of %zu", carriers->num_planes,
+          num_planes);
+    for (size_t leaf = 0; leaf < scene->num_leaves; leaf++)
+        for (size_t i = 0; i < scene->leaves[leaf].shape.num_planes; i++) {
+            const struct csg_face face = carriers->faces[carriers->face_begin[leaf] + i];
+            const struct csg_plane own = scene->leaves[leaf].shape.planes[i];
+            const struct csg_plane plane = carriers->planes[face.carrier];
+            const double s = face.flipped ? -1 : 1;
+            CHECK(fabs(own.offset - s * plane.offset) < 1e-6 &&
+                      csg_dot(own.normal, plane.normal) * s > 1 - 1e-12,
+                  "leaf %zu, plane %zu: not on its carrier", leaf, i);
+        }
+}
+
+int main(void)
+{
+    static bool used[3][RANGE + 100];
+    struct text text = {malloc(ROOM), 0};
+    CHECK(text.data, "memory");
+    if (!text.data)
+        return 1;
+    const size_t num_planes = put_cubes(&text, used);
+    const size_t num_quadrics = put_spheres(&text);
+    struct csgcast_scene *scene = csgcast_scene_parse(text.data, text.num, NULL);
+    CHECK(scene, "the scene");
+    if (scene) {
+        check_planes(scene, num_planes);
+        CHECK(scene->carriers->num_quadrics == num_quadrics, "%zu quadrics, of %zu",
+              scene->carriers->num_quadrics, num_quadrics);
+        CHECK(num_planes < 6 * NUM_CUBES - 1000, "the test tests little: %zu planes", num_planes);
+    }
+    csgcast_scene_destroy(scene);
+    free(text.data);
+    return num_failed > 0;
+}
