@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/clip.h"
+#include "scene/import.h"
 #include "scene/build.h"
 
 #include <stdlib.h>
@@ -220,6 +221,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);
     csg_clip_finish(&builder.clip);
+    csg_import_finish(&builder.xml);
     csg_repeats_destroy(builder.repeats);
     free(builder.meanings);
     free(builder.parts.data);

@@ -53,6 +53,15 @@ struct csg_clip_state {
     const struct csg_clip_module *module; /* NULL: missing */
 };
 
+struct csg_xml_module;
+
+/* What the first import of XML has opened. */
+struct csg_xml_state {
+    bool was_opened;
+    void *handle;
+    const struct csg_xml_module *module; /* NULL: missing */
+};
+
 struct csg_builder {
     const struct csg_document *document;
     const struct csgcast_scene_params *params;
@@ -68,6 +77,7 @@ struct csg_builder {
     struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
     struct csg_text_state text;
     struct csg_clip_state clip;
+    struct csg_xml_state xml;
     struct csg_tree parts; /* the trees of the compounds, one behind the other */
     struct csg_repeats *repeats; /* NULL: each compound is read by itself */
 };

@@ -4,6 +4,7 @@
  */
 #include "scene/import.h"
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -13,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "common/module.h"
 #include "scene/compounds.h"
 #include "scene/mesh_file.h"
 #include "scene/polyhedron.h"
@@ -37,6 +39,34 @@ bool csg_import_is_mesh(const char *name)
 bool csg_import_is_drawing(const char *name)
 {
     return csg_import_has_ending(name, ".dxf") || csg_import_has_ending(name, ".svg");
+}
+
+const struct csg_xml_module *csg_import_xml(struct csg_walk *walk)
+{
+    struct csg_xml_state *state = &walk->builder->xml;
+    if (state->was_opened)
+        return state->module;
+    state->was_opened = true;
+    state->handle = csg_module_open("csgcast-xml.so", "CSGCAST_XML_MODULE");
+    if (state->handle)
+        state->module = (const struct csg_xml_module *)dlsym(state->handle, CSG_XML_MODULE_NAME);
+    return state->module;
+}
+
+void csg_import_refuse(struct csg_walk *walk, uint32_t node, const char *name,
+                       const struct csg_xml_error *error)
+{
+    csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE, csg_walk_node(walk, node)->place,
+                     "import: %.80s:%zu: %s is not read, for it may name any other file; write "
+                     "what it stands for (xmllint --noent)",
+                     name, error->line, error->text);
+}
+
+void csg_import_finish(struct csg_xml_state *state)
+{
+    if (state->handle)
+        dlclose(state->handle);
+    *state = (struct csg_xml_state){0};
 }
 
 static char *path_of(const struct csg_walk *walk, const char *name)

@@ -5,6 +5,7 @@
 #include "common/file.h"
 #include "plane/drawing.h"
 #include "scene/walk.h"
+#include "xml/module.h"
 
 /* The file that a node names by "file", as a string; NULL: it names none. */
 const char *csg_import_name(const struct csg_args *args);
@@ -22,6 +23,14 @@ bool csg_import_is_drawing(const char *name);
  * is reported. false, with a message, when memory is out. */
 bool csg_import_drawing(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                         double scale, struct csg_drawing *drawing);
+
+/* csgcast-xml.so; NULL: it is missing. */
+const struct csg_xml_module *csg_import_xml(struct csg_walk *walk);
+void csg_import_finish(struct csg_xml_state *state);
+
+/* An error: the text of an XML file has an entity of its own, which could name any other file. */
+void csg_import_refuse(struct csg_walk *walk, uint32_t node, const char *name,
+                       const struct csg_xml_error *error);
 
 /* Reads the file that a node names, relative to the scene's directory. name: its name; NULL where
  * it names none or, after a warning, cannot be read: the node is empty, as in OpenSCAD. false, with

@@ -4,8 +4,10 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "files/dxf.h"
+#include "files/svg.h"
 #include "scene/clip.h"
 #include "scene/drawings.h"
 #include "scene/figures.h"
@@ -81,6 +83,73 @@ static bool add_dxf(struct source *source, double scale, struct csg_drawing *dra
     return true;
 }
 
+/* ---- SVG ------------------------------------------------------------------------------------ */
+
+/* Clipper's grid, to which coordinates are cut off. */
+static const double clipped_rounding = 0x1p-16;
+
+/* Compressed, which libxml2 reads from files only. */
+static bool is_gzip(const struct csg_bytes *bytes)
+{
+    return bytes->num > 2 && memcmp(bytes->data, "\x1f\x8b", 2) == 0;
+}
+
+/* A file that does not say otherwise has 72 units to the inch, but .csg texts always do. */
+static double dpi_of(const struct csg_args *args)
+{
+    const double dpi = csg_args_number(args, "dpi", 72, NULL);
+    return dpi >= 0.001 && isfinite(dpi) ? dpi : 72;
+}
+
+/* The shapes become one figure: the union, as Clipper makes it. Where drawings are clipped anyway
+ * it is made there. */
+static bool unite(const struct source *source, uint32_t draw, struct csg_drawing *drawing)
+{
+    csg_drawing_close(drawing, draw);
+    if (!csg_clip_is_wanted(source->walk) && !csg_clip_evaluate(source->walk, drawing, draw))
+        return false;
+    for (uint32_t i = draw; i < drawing->nodes.num; i++)
+        if (drawing->nodes.data[i].op == CSG_DRAW_FIGURE) {
+            struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[i].figure];
+            figure->rounding = clipped_rounding;
+            figure->is_outline = false; /* maps may turn it inside out */
+        }
+    return true;
+}
+
+static bool add_svg(struct source *source, struct csg_drawing *drawing)
+{
+    struct csg_xml_error error = {0};
+    const struct csg_svg_params params = {.dpi = dpi_of(source->args),
+                                          .center = csg_args_bool(source->args, "center", false),
+                                          .xml = csg_import_xml(source->walk),
+                                          .clip = csg_clip_is_there(source->walk)
+                                                      ? source->walk->builder->clip.module
+                                                      : NULL};
+    if (!params.xml || !params.clip) {
+        csg_walk_unsupported(source->walk, source->node,
+                             "import of SVG needs csgcast-xml.so and csgcast-clip.so; one is "
+                             "missing, or lacks its libraries (Debian: libxml2 libzip4 "
+                             "libpolyclipping22)");
+        return true;
+    }
+    const uint32_t draw = (uint32_t)drawing->nodes.num;
+    enum csg_svg_result result = CSG_SVG_FOREIGN;
+    if (!csg_drawing_open(drawing, CSG_DRAW_UNION))
+        return no_memory(source);
+    if (!is_gzip(&source->bytes))
+        result = csg_svg_read(&source->bytes, &params, drawing, &error);
+    if (result == CSG_SVG_FOREIGN)
+        csg_walk_unsupported(source->walk, source->node,
+                             "import: %.100s is compressed, or its numbers are too large", source->name);
+    else if (result == CSG_SVG_ENTITY)
+        csg_import_refuse(source->walk, source->node, source->name, &error);
+    else if (result == CSG_SVG_MALFORMED)
+        csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s; nothing is drawn",
+                         source->name, error.line, error.text);
+    return result == CSG_SVG_NO_MEMORY ? no_memory(source) : unite(source, draw, drawing);
+}
+
 /* ---- the nodes ------------------------------------------------------------------------------ */
 
 static bool read_file(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -91,6 +160,8 @@ static bool read_file(struct csg_walk *walk, uint32_t node, const struct csg_arg
     bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
     if (ok && source.name && csg_import_has_ending(source.name, ".dxf"))
         ok = add_dxf(&source, scale, drawing);
+    else if (ok && source.name && csg_import_has_ending(source.name, ".svg"))
+        ok = add_svg(&source, drawing);
     else if (ok && source.name)
         csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported",
                              source.name);

@@ -13,10 +13,22 @@
 #include "clip/module.h"
 #include "common/module.h"
 #include "files/dxf.h"
+#include "files/svg.h"
+#include "xml/module.h"
 
 struct options {
     struct csg_dxf_params dxf;
+    struct csg_svg_params svg;
 };
+
+static const void *open_module(const char *file, const char *variable, const char *name)
+{
+    void *handle = csg_module_open(file, variable);
+    const void *module = handle ? dlsym(handle, name) : NULL;
+    if (!module)
+        fprintf(stderr, "outline: %s does not load\n", file);
+    return module;
+}
 
 static void warn(void *user, size_t line, const char *text)
 {
@@ -33,6 +45,7 @@ static bool read_option(struct options *options, const char *text)
         {"x=", &options->dxf.origin[0]},  {"y=", &options->dxf.origin[1]},
         {"scale=", &options->dxf.scale},  {"fn=", &options->dxf.facets.fn},
         {"fa=", &options->dxf.facets.fa}, {"fs=", &options->dxf.facets.fs},
+        {"dpi=", &options->svg.dpi},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const size_t length = strlen(numbers[i].name);
@@ -41,19 +54,50 @@ static bool read_option(struct options *options, const char *text)
             return true;
         }
     }
+    options->svg.center |= strcmp(text, "center") == 0;
+    if (strcmp(text, "center") == 0)
+        return true;
     if (strncmp(text, "layer=", 6) != 0)
         return false;
     options->dxf.layer = text + 6;
     return true;
 }
 
+static bool read_dxf(const struct csg_bytes *bytes, const struct options *options,
+                     struct csg_drawing *drawing)
+{
+    const struct csg_dxf_warnings warnings = {NULL, warn};
+    return csg_drawing_add_figure(drawing, 0) &&
+           csg_dxf_read(bytes, &options->dxf, &warnings, drawing) == CSG_DXF_DONE;
+}
+
+/* What is malformed is empty. */
+static bool read_svg(const struct csg_bytes *bytes, const struct options *options,
+                     struct csg_drawing *drawing)
+{
+    struct csg_svg_params params = options->svg;
+    struct csg_xml_error error;
+    params.clip = open_module("csgcast-clip.so", "CSGCAST_CLIP_MODULE", CSG_CLIP_MODULE_NAME);
+    params.xml = open_module("csgcast-xml.so", "CSGCAST_XML_MODULE", CSG_XML_MODULE_NAME);
+    if (!params.clip || !params.xml)
+        return false;
+    const enum csg_svg_result result = csg_svg_read(bytes, &params, drawing, &error);
+    if (result == CSG_SVG_MALFORMED)
+        drawing->figures.num = 0;
+    if (result == CSG_SVG_MALFORMED)
+        warn(NULL, error.line, error.text);
+    return result == CSG_SVG_DONE || result == CSG_SVG_MALFORMED;
+}
+
 static bool read_file(const char *path, const struct options *options, struct csg_drawing *drawing)
 {
     const struct csg_log log = {0};
-    const struct csg_dxf_warnings warnings = {NULL, warn};
+    const char *dot = strrchr(path, '.');
     struct csg_bytes bytes = {0};
-    const bool ok = csg_file_read(path, &bytes, &log) && csg_drawing_add_figure(drawing, 0) &&
-                    csg_dxf_read(&bytes, &options->dxf, &warnings, drawing) == CSG_DXF_DONE;
+    const bool is_svg = dot && strcmp(dot, ".svg") == 0;
+    const bool ok = csg_file_read(path, &bytes, &log) &&
+                    (is_svg ? read_svg(&bytes, options, drawing)
+                            : read_dxf(&bytes, options, drawing));
     free(bytes.data);
     return ok;
 }
@@ -76,11 +120,10 @@ static bool add_point(void *user, double x, double y)
 }
 
 /* Each figure is an operand. */
-static bool print_union(const struct csg_drawing *drawing)
+static bool print_outline(const struct csg_drawing *drawing, bool is_union)
 {
-    void *handle = csg_module_open("csgcast-clip.so", "CSGCAST_CLIP_MODULE");
     const struct csg_clip_module *module =
-        handle ? (const struct csg_clip_module *)dlsym(handle, CSG_CLIP_MODULE_NAME) : NULL;
+        open_module("csgcast-clip.so", "CSGCAST_CLIP_MODULE", CSG_CLIP_MODULE_NAME);
     struct csg_clip_path *paths = calloc(drawing->contours.num + 1, sizeof *paths);
     int num_contours = 0;
     const struct csg_clip_sink sink = {&num_contours, begin_contour, add_point};
@@ -94,7 +137,7 @@ static bool print_union(const struct csg_drawing *drawing)
         }
     const bool ok =
         module && paths &&
-        module->combine(drawing->figures.num > 1 ? CSG_CLIP_UNION : CSG_CLIP_CLEAN, (uint32_t)drawing->figures.num, paths, num, &sink) ==
+        module->combine(is_union ? CSG_CLIP_UNION : CSG_CLIP_CLEAN, (uint32_t)drawing->figures.num, paths, num, &sink) ==
             CSG_CLIP_DONE;
     free(paths);
     return ok;
@@ -102,14 +145,15 @@ static bool print_union(const struct csg_drawing *drawing)
 
 int main(int argc, char **argv)
 {
-    struct options options = {.dxf = {.facets = {0, 12, 2}, .layer = "", .scale = 1}};
+    struct options options = {.dxf = {.facets = {0, 12, 2}, .layer = "", .scale = 1},
+                              .svg = {.dpi = 72}};
     struct csg_drawing drawing = {0};
     for (int i = 2; i < argc; i++)
         if (!read_option(&options, argv[i])) {
             fprintf(stderr, "outline: %s?\n", argv[i]);
             return 2;
         }
-    const bool ok = argc > 1 && read_file(argv[1], &options, &drawing) && print_union(&drawing);
+    const bool ok = argc > 1 && read_file(argv[1], &options, &drawing) && print_outline(&drawing, strstr(argv[1], ".svg") != NULL);
     csg_drawing_finish(&drawing);
     return ok ? 0 : 1;
 }

@@ -87,6 +87,7 @@ shipped_scene()
 check "install" "$cmake" --install "$build" --prefix "$prefix"
 check "the module is in place" test -e "$prefix/$libdir/csgcast/csgcast-image.so"
 check "the one for text as well" test -e "$prefix/$libdir/csgcast/csgcast-text.so"
+check "the one for XML as well" test -e "$prefix/$libdir/csgcast/csgcast-xml.so"
 check "the one for drawings as well" test -e "$prefix/$libdir/csgcast/csgcast-clip.so"
 check "the one for bent faces as well" test -e "$prefix/$libdir/csgcast/csgcast-tess.so"
 check "the one for digits as well" test -e "$prefix/$libdir/csgcast/csgcast-digits.so"

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-//   node dxf.mjs OUTLINE COUNT SEED
-//
 // Random DXF files: shapes of all kinds, on two layers and in blocks, their ends near each other
 // or not, and groups that make no sense.
 
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { agrees } from './agree.mjs';
-import { random } from './random.mjs';
 
-const [outline, count, seed] = process.argv.slice(2);
-const r = random(Number(seed));
+let r; // of random.mjs
 
 // Ends meet often, exactly or within the grid's step.
 function coordinate() {
@@ -98,16 +90,8 @@ function options() {
     return list;
 }
 
-const folder = mkdtempSync(join(tmpdir(), 'dxf-'));
-let failed = 0, filled = 0;
-for (let i = 0; i < Number(count); i++) {
-    const path = join(folder, `${i}.dxf`);
-    writeFileSync(path, file());
-    const { ok, num } = agrees(outline, path, options());
-    failed += !ok;
-    filled += num > 0;
+// A file's text and options for outline.c.
+export function make(random) {
+    r = random;
+    return { text: file(), options: options() };
 }
-console.log(`${count} DXF files, seed ${seed}: ${filled} not empty, ${failed} differ`);
-if (failed === 0)
-    rmSync(folder, { recursive: true });
-process.exit(failed > 0 || filled < count / 2 ? 1 : 0);
