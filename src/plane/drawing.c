@@ -64,6 +64,22 @@ bool csg_drawing_append_figure(struct csg_drawing *drawing, const struct csg_dra
     return ok;
 }
 
+void csg_drawing_drop(struct csg_drawing *drawing, uint32_t node)
+{
+    uint32_t first = (uint32_t)drawing->figures.num;
+    for (size_t i = node; i < drawing->nodes.num; i++)
+        if (drawing->nodes.data[i].op == CSG_DRAW_FIGURE && drawing->nodes.data[i].figure < first)
+            first = drawing->nodes.data[i].figure;
+    drawing->nodes.num = node;
+    if (first == drawing->figures.num)
+        return;
+    const uint32_t contour = drawing->figures.data[first].begin;
+    if (contour < drawing->contours.num)
+        drawing->points.num = drawing->contours.data[contour].begin;
+    drawing->contours.num = contour;
+    drawing->figures.num = first;
+}
+
 double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end)
 {
     double rounding = 0;

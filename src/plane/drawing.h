@@ -33,11 +33,13 @@ struct csg_contour {
     uint32_t begin, end; /* of its points; closed, in either direction */
 };
 
-/* The points that an odd number of its contours go round. */
+/* The points that an odd number of its contours go round, or by_winding those that they go round
+ * more often counterclockwise than clockwise. */
 struct csg_figure {
     uint32_t begin, end; /* of its contours */
     bool is_disc;        /* meant is the ellipse disc; the contour has OpenSCAD's facets */
     bool facetted;       /* the contour stands for an ellipse */
+    bool by_winding;     /* no disc */
     bool is_outline;     /* its contours do not cross and have the inside to their left */
     struct csg_map disc; /* from the unit circle about the z axis; z stays */
     double rounding;     /* see struct csg_shape */
@@ -75,6 +77,9 @@ static inline void csg_drawing_cut(struct csg_drawing *drawing, uint32_t node)
 {
     drawing->nodes.num = node;
 }
+
+/* Takes the last subtree, at node, away with its figures: those from its first one on. */
+void csg_drawing_drop(struct csg_drawing *drawing, uint32_t node);
 
 /* The largest rounding of the figures in nodes [begin, end). */
 double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end);

@@ -10,6 +10,8 @@ struct csg_membership_node {
     bool value;
     bool is_first;    /* child of its parent */
     bool first_value; /* of the first child */
+    bool by_winding;  /* of a figure: num_turns counts */
+    int32_t num_turns;
     uint32_t parent;
     uint32_t num_children, num_true;
 };
@@ -24,7 +26,7 @@ static bool value_of(const struct csg_membership_node *node)
     case CSG_DRAW_DIFFERENCE:
         return node->first_value && node->num_true == 1;
     default:
-        return node->num_true & 1;
+        return node->by_winding ? node->num_turns > 0 : node->num_turns & 1;
     }
 }
 
@@ -43,8 +45,10 @@ bool csg_membership_init(struct csg_membership *membership, const struct csg_dra
     for (uint32_t i = root; i < nodes[root].end; i++) {
         struct csg_membership_node *node = &membership->nodes[i - root];
         node->op = nodes[i].op;
-        if (node->op == CSG_DRAW_FIGURE)
+        if (node->op == CSG_DRAW_FIGURE) {
             membership->node_of[nodes[i].figure] = i - root;
+            node->by_winding = drawing->figures.data[nodes[i].figure].by_winding;
+        }
         for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
             membership->nodes[child - root].parent = i - root;
             membership->nodes[child - root].is_first = child == i + 1;
@@ -61,10 +65,10 @@ void csg_membership_finish(struct csg_membership *membership)
     *membership = (struct csg_membership){0};
 }
 
-void csg_membership_toggle(struct csg_membership *membership, uint32_t figure)
+void csg_membership_step(struct csg_membership *membership, uint32_t figure, bool is_down)
 {
     struct csg_membership_node *node = &membership->nodes[membership->node_of[figure]];
-    node->num_true ^= 1;
+    node->num_turns += is_down ? 1 : -1;
     bool value = value_of(node);
     while (value != node->value) {
         node->value = value;

@@ -22,8 +22,9 @@ bool csg_membership_init(struct csg_membership *membership, const struct csg_dra
                          uint32_t node);
 void csg_membership_finish(struct csg_membership *membership);
 
-/* The point steps over an edge of that figure. */
-void csg_membership_toggle(struct csg_membership *membership, uint32_t figure);
+/* The point steps to the right over an edge of that figure, whose contour comes down or goes up
+ * there. */
+void csg_membership_step(struct csg_membership *membership, uint32_t figure, bool is_down);
 
 bool csg_membership_is_inside(const struct csg_membership *membership);
 

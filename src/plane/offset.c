@@ -11,6 +11,11 @@
  * corner that sticks out; moved inwards it loses a rectangle along each edge and a join at each
  * corner that sticks in. That is the region's Minkowski sum with a disc, or the complement of the
  * complement's; mitered and square joins only differ at the corners.
+ *
+ * The outline, its edges moved and joined, goes round a point as often as the outline itself does
+ * and, outwards, once more for each rectangle and join that the point is in: the cycles of all of
+ * them add up to it. Inwards it is once less. So what it goes round is the moved region (Chen and
+ * McMains, Polygon offsetting by computing winding numbers, 2005).
  */
 
 /* A corner that turns by less is joined by facets also where discs are wanted: with them a facetted
@@ -73,21 +78,15 @@ static struct corner corner_of(const struct mover *mover, const struct csg_conto
     return corner;
 }
 
-static bool add_polygon(struct csg_drawing *drawing, const struct csg_vec2 *points, size_t num,
-                        double rounding)
+static bool add_point(struct mover *mover, struct csg_vec2 p)
 {
-    bool ok = csg_drawing_add_figure(drawing, rounding) && csg_drawing_add_contour(drawing);
-    for (size_t i = 0; i < num && ok; i++)
-        ok = csg_drawing_add_point(drawing, points[i].x, points[i].y);
-    return ok;
+    return csg_drawing_add_point(mover->drawing, p.x, p.y);
 }
 
-static bool add_edge(struct mover *mover, const struct corner *corner, double rounding)
+static bool add_moved(struct mover *mover, const struct corner *corner, double size,
+                      struct csg_vec2 n)
 {
-    const struct csg_vec2 quad[4] = {corner->at, corner->after,
-                                     moved(corner->after, mover->size, corner->n1),
-                                     moved(corner->at, mover->size, corner->n1)};
-    return add_polygon(mover->drawing, quad, 4, rounding);
+    return add_point(mover, moved(corner->at, size, n));
 }
 
 /* Steps of a full turn as Clipper 6 finds them for OpenSCAD 2021.01 (ClipperOffset::DoOffset): num
@@ -102,77 +101,77 @@ static double clipper_steps(int num, double size)
 
 /* Clipper's arc (DoRound): equal steps from the first normal on; the last one is longer or shorter.
  */
-static bool add_arc(struct mover *mover, const struct corner *corner, double rounding)
+static bool add_arc(struct mover *mover, const struct corner *corner)
 {
     const double steps = clipper_steps(mover->offset->num, mover->size), step = 2 * PI / steps;
     const int num = (int)fmax(floor(steps / (2 * PI) * fabs(corner->angle) + 0.5), 1);
-    struct csg_drawing *drawing = mover->drawing;
-    bool ok = csg_drawing_add_figure(drawing, rounding) && csg_drawing_add_contour(drawing) &&
-              csg_drawing_add_point(drawing, corner->at.x, corner->at.y);
+    bool ok = true;
     for (int i = 0; i <= num && ok; i++) {
         const double angle = mover->side * step * i, c = cos(angle), s = sin(angle);
         const struct csg_vec2 turned = {c * corner->n0.x - s * corner->n0.y,
                                         s * corner->n0.x + c * corner->n0.y};
-        const struct csg_vec2 p = moved(corner->at, mover->size, i < num ? turned : corner->n1);
-        ok = csg_drawing_add_point(drawing, p.x, p.y);
+        ok = add_moved(mover, corner, mover->size, i < num ? turned : corner->n1);
     }
     return ok;
 }
 
 /* Both edges go on until they meet. */
-static bool add_miter(struct mover *mover, const struct corner *corner, double rounding)
+static bool add_miter(struct mover *mover, const struct corner *corner)
 {
     const double cosine = corner->n0.x * corner->n1.x + corner->n0.y * corner->n1.y;
     const double reach = fmin(1 / (1 + cosine), MITER_LIMIT);
     const struct csg_vec2 sum = {corner->n0.x + corner->n1.x, corner->n0.y + corner->n1.y};
-    const struct csg_vec2 quad[4] = {corner->at, moved(corner->at, mover->size, corner->n0),
-                                     moved(corner->at, mover->size * reach, sum),
-                                     moved(corner->at, mover->size, corner->n1)};
-    return add_polygon(mover->drawing, quad, 4, rounding);
+    return add_moved(mover, corner, mover->size, corner->n0) &&
+           add_moved(mover, corner, mover->size * reach, sum) &&
+           add_moved(mover, corner, mover->size, corner->n1);
 }
 
 /* Both edges go on until they meet the line across, at the same distance from the corner. */
-static bool add_square(struct mover *mover, const struct corner *corner, double rounding)
+static bool add_square(struct mover *mover, const struct corner *corner)
 {
     const double d = mover->side * tan(corner->angle / 4);
     const struct csg_vec2 a = {corner->n0.x - corner->n0.y * d, corner->n0.y + corner->n0.x * d};
     const struct csg_vec2 b = {corner->n1.x + corner->n1.y * d, corner->n1.y - corner->n1.x * d};
-    const struct csg_vec2 points[5] = {
-        corner->at, moved(corner->at, mover->size, corner->n0), moved(corner->at, mover->size, a),
-        moved(corner->at, mover->size, b), moved(corner->at, mover->size, corner->n1)};
-    return add_polygon(mover->drawing, points, 5, rounding);
+    return add_moved(mover, corner, mover->size, corner->n0) &&
+           add_moved(mover, corner, mover->size, a) && add_moved(mover, corner, mover->size, b) &&
+           add_moved(mover, corner, mover->size, corner->n1);
 }
 
-static bool add_join(struct mover *mover, const struct corner *corner, double rounding)
+/* From the end of one moved edge to the beginning of the next. Where the corner is on the other
+ * side the way goes through it, so that both rectangles count. */
+static bool add_join(struct mover *mover, const struct corner *corner)
 {
     if (!(corner->angle > 1e-12))
-        return true;
+        return add_moved(mover, corner, mover->size, corner->n0) && add_point(mover, corner->at) &&
+               add_moved(mover, corner, mover->size, corner->n1);
     if (mover->offset->join == CSG_JOIN_MITER)
-        return add_miter(mover, corner, rounding);
+        return add_miter(mover, corner);
     if (mover->offset->join == CSG_JOIN_SQUARE)
-        return add_square(mover, corner, rounding);
+        return add_square(mover, corner);
     if (mover->offset->exact && corner->angle > SHARP_DEGREES * PI / 180 &&
         !csg_array_push(&mover->discs.centers, corner->at))
         return false;
-    return add_arc(mover, corner, rounding);
+    return add_arc(mover, corner);
 }
 
-/* The edges and joins of a figure's outline as one union. */
+/* The figure's outline, moved, as a new figure. */
 static bool add_all(struct mover *mover, uint32_t index)
 {
-    const struct csg_figure figure = mover->drawing->figures.data[index];
-    const uint32_t node = (uint32_t)mover->drawing->nodes.num;
-    bool ok = csg_drawing_open(mover->drawing, CSG_DRAW_UNION);
+    struct csg_drawing *drawing = mover->drawing;
+    const struct csg_figure figure = drawing->figures.data[index];
+    bool ok = csg_drawing_add_figure(drawing, figure.rounding);
     for (uint32_t i = figure.begin; i < figure.end && ok; i++) {
-        const struct csg_contour contour = mover->drawing->contours.data[i];
+        const struct csg_contour contour = drawing->contours.data[i];
+        ok = csg_drawing_add_contour(drawing);
         for (uint32_t j = 0; j < contour.end - contour.begin && ok; j++) {
             const struct corner corner = corner_of(mover, &contour, j);
-            ok = add_edge(mover, &corner, figure.rounding) &&
-                 add_join(mover, &corner, figure.rounding);
+            ok = add_join(mover, &corner);
         }
     }
-    if (ok)
-        csg_drawing_close(mover->drawing, node);
+    if (ok) {
+        drawing->figures.data[drawing->figures.num - 1].by_winding = true;
+        drawing->figures.data[drawing->figures.num - 1].facetted = figure.facetted;
+    }
     return ok;
 }
 
@@ -258,9 +257,9 @@ static enum csg_sweep_result move_outline(struct mover *mover, uint32_t node)
         return result;
     const uint32_t figure = drawing->nodes.data[node].figure;
     const double rounding = drawing->figures.data[figure].rounding;
-    if (!wrap(drawing, node, op) || !add_all(mover, figure))
+    csg_drawing_cut(drawing, node);
+    if (!add_all(mover, figure))
         return CSG_SWEEP_NO_MEMORY;
-    csg_drawing_close(drawing, node);
     result = csg_drawing_evaluate(drawing, node);
     if (result == CSG_SWEEP_DONE && !add_discs(mover, node, op, rounding))
         result = CSG_SWEEP_NO_MEMORY;

@@ -28,8 +28,13 @@ struct tracer {
     uint32_t *first;      /* by corner: its first segment, in the order of from */
 };
 
-/* Corners turn by more than this, as a sine. */
+/* Corners turn by more than this, as a sine, */
 #define STRAIGHT 1e-12
+
+/* and stand further from the way between their neighbours than this share of the largest
+ * coordinate. An edge is cut at each level, where rounding moves it aside by some units of its last
+ * digit, which turns short pieces by any angle. */
+#define ROUNDING 2e-15
 
 /* Spans [begin, end) of one slab. */
 struct slab {
@@ -197,14 +202,16 @@ static struct segment *next_segment(struct tracer *tracer, const struct segment 
 }
 
 static bool is_straight(const struct csg_vec2 *a, const struct csg_vec2 *b,
-                        const struct csg_vec2 *c)
+                        const struct csg_vec2 *c, double rounding)
 {
     const double x0 = b->x - a->x, y0 = b->y - a->y, x1 = c->x - b->x, y1 = c->y - b->y;
-    return fabs(x0 * y1 - y0 * x1) <= STRAIGHT * hypot(x0, y0) * hypot(x1, y1);
+    const double area = fabs(x0 * y1 - y0 * x1);
+    return area <= STRAIGHT * hypot(x0, y0) * hypot(x1, y1) ||
+           (x0 * x1 + y0 * y1 > 0 && area <= rounding * hypot(x0 + x1, y0 + y1));
 }
 
 /* Leaves out the corners of the last contour where it goes straight on. */
-static void straighten(struct csg_drawing *drawing)
+static void straighten(struct csg_drawing *drawing, double rounding)
 {
     struct csg_contour *contour = &drawing->contours.data[drawing->contours.num - 1];
     struct csg_vec2 *p = &drawing->points.data[contour->begin];
@@ -213,7 +220,7 @@ static void straighten(struct csg_drawing *drawing)
     for (uint32_t i = 0; i < num; i++) {
         const struct csg_vec2 before = kept ? p[kept - 1] : p[num - 1];
         const struct csg_vec2 after = p[(i + 1) % num], at = p[i];
-        if (!is_straight(&before, &at, &after))
+        if (!is_straight(&before, &at, &after, rounding))
             p[kept++] = at;
     }
     contour->end = contour->begin + kept;
@@ -229,7 +236,7 @@ static bool add_contour(struct tracer *tracer, struct csg_drawing *drawing, stru
         ok = csg_drawing_add_point(drawing, corner.x, corner.y);
     }
     if (ok)
-        straighten(drawing);
+        straighten(drawing, ROUNDING * tracer->sweep.size);
     return ok;
 }
 
@@ -271,11 +278,13 @@ enum csg_sweep_result csg_drawing_evaluate(struct csg_drawing *drawing, uint32_t
     const bool facetted = csg_drawing_is_facetted(drawing, node, end);
     enum csg_sweep_result result = csg_sweep(&tracer.sweep, drawing, node);
     if (result == CSG_SWEEP_DONE) {
-        csg_drawing_cut(drawing, node);
-        if (trace(&tracer, drawing, rounding))
+        csg_drawing_drop(drawing, node);
+        if (trace(&tracer, drawing, rounding)) {
             drawing->figures.data[drawing->figures.num - 1].facetted = facetted;
-        else
+            drawing->figures.data[drawing->figures.num - 1].is_outline = true;
+        } else {
             result = CSG_SWEEP_NO_MEMORY;
+        }
     }
     csg_sweep_finish(&tracer.sweep);
     free(tracer.corners.data);

@@ -44,7 +44,8 @@ double csg_sweep_x(const struct csg_sweep *sweep, uint32_t index, uint32_t level
 static bool add_edge(struct csg_sweep *sweep, struct csg_vec2 a, struct csg_vec2 b, uint32_t figure)
 {
     const bool up = a.y <= b.y;
-    const struct csg_sweep_edge edge = {.low = up ? a : b, .high = up ? b : a, .figure = figure};
+    const struct csg_sweep_edge edge = {
+        .low = up ? a : b, .high = up ? b : a, .figure = figure, .is_down = !up};
     sweep->size = fmax(sweep->size, fmax(fabs(a.x), fabs(a.y)));
     if (a.y == b.y)
         return true;
@@ -217,9 +218,10 @@ static bool fill_slab(struct slabs *slabs, uint32_t level, double noise)
     bool inside = false;
     for (size_t i = 0; i < slabs->active.num;) {
         const struct key first = slabs->active.data[i];
-        for (; i < slabs->active.num && slabs->active.data[i].x - first.x <= noise; i++)
-            csg_membership_toggle(&slabs->membership,
-                                  sweep->edges.data[slabs->active.data[i].edge].figure);
+        for (; i < slabs->active.num && slabs->active.data[i].x - first.x <= noise; i++) {
+            const struct csg_sweep_edge *edge = &sweep->edges.data[slabs->active.data[i].edge];
+            csg_membership_step(&slabs->membership, edge->figure, edge->is_down);
+        }
         const bool was_inside = inside;
         inside = csg_membership_is_inside(&slabs->membership);
         if (inside && !was_inside)

@@ -18,6 +18,7 @@ struct csg_sweep_edge {
     struct csg_vec2 low, high; /* low.y <= high.y */
     uint32_t begin, end;       /* its levels; begin < end */
     uint32_t figure;
+    bool is_down; /* its contour runs from high to low */
 };
 
 /* Inside, from the edge left to the edge right, in the slab above level. */

@@ -144,8 +144,9 @@ static uint32_t find_touching(const struct triangulation *t, uint32_t hole)
 }
 
 /*
- * A corner that the leftmost corner of a hole sees: an end of the nearest edge, or else the corner
- * in the triangle between them that is seen under the least angle.
+ * A corner that the leftmost corner of a hole sees: the left end of the nearest edge, or else the
+ * corner in the triangle between them that is seen under the least angle. All of it is left of the
+ * hole, none of whose corners can be in the way (Eberly, Triangulation by ear clipping, 2002).
  */
 static uint32_t find_bridge(const struct triangulation *t, uint32_t hole)
 {
@@ -155,7 +156,7 @@ static uint32_t find_bridge(const struct triangulation *t, uint32_t hole)
     if (edge == UINT32_MAX)
         return edge;
     const uint32_t other = corner_of(t, edge)->after;
-    uint32_t best = corner_of(t, edge)->at.x > corner_of(t, other)->at.x ? edge : other;
+    uint32_t best = corner_of(t, edge)->at.x < corner_of(t, other)->at.x ? edge : other;
     const struct csg_vec2 end = corner_of(t, best)->at;
     double slope = INFINITY, near = -INFINITY;
     for (uint32_t i = 0; i < t->corners.num; i++) {
