@@ -20,7 +20,7 @@
 #define SMALL_BANDS 4
 
 /* Keys tried for one at which the object has certainly begun. */
-#define MAX_CANDIDATES 24
+#define MAX_JUMPS 32
 
 /* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
 struct task {
@@ -47,8 +47,7 @@ struct tiler {
     CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
     CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
-    CSG_ARRAY(uint8_t) values; /* by node, see node_value */
-    CSG_ARRAY(double) candidates;
+    CSG_ARRAY(double) keys; /* by node, see next_of_node */
     struct csg_scan scan;
     size_t max_texels; /* of the frame, from which on tiles are not cut further */
     bool opaque;       /* the tile at hand: the object has certainly begun somewhere in all of it */
@@ -134,131 +133,77 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
     return CSG_VARIES;
 }
 
-/* enum csg_known of a leaf's literal at one key, for all rays of the tile. */
-static uint8_t leaf_value(const struct csg_leaf_range *leaf, bool negated, double key)
+/* Just behind a key. */
+static double behind(double key)
 {
-    if (leaf->solid && leaf->entry.hi < key && key < leaf->exit.lo)
-        return negated ? CSG_NOTHING : CSG_EVERYTHING;
-    if (key < leaf->entry.lo || key > leaf->exit.hi || leaf->entry.lo > leaf->exit.hi)
-        return negated ? CSG_EVERYTHING : CSG_NOTHING;
-    return CSG_VARIES;
+    return key + 1e-9 * (1 + fabs(key));
 }
 
-static uint8_t node_value(const struct tiler *tiler, const struct csg_tree *tree, uint32_t i)
+/* The first key from key on at which the leaf's literal is certainly true for all rays of the tile;
+ * INFINITY: there is none. */
+static double next_of_leaf(const struct csg_leaf_range *leaf, bool negated, double key)
 {
-    const struct csg_node *node = &tree->data[i];
-    const uint8_t neutral = node->op == CSG_AND ? CSG_EVERYTHING : CSG_NOTHING;
-    uint8_t value = neutral;
-    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
-        const uint8_t operand = tiler->values.data[child];
-        if (operand != neutral && operand != CSG_VARIES)
-            return operand;
-        value = operand == CSG_VARIES ? CSG_VARIES : value;
-    }
-    return value;
+    if (negated)
+        return key < leaf->entry.lo || key > leaf->exit.hi || leaf->entry.lo > leaf->exit.hi
+                   ? key
+                   : behind(leaf->exit.hi);
+    const double begin = key > leaf->entry.hi ? key : behind(leaf->entry.hi);
+    return leaf->solid && begin < leaf->exit.lo ? begin : INFINITY;
 }
 
-static bool is_everything(struct tiler *tiler, const struct csg_tree *tree, uint32_t begin,
-                          double key)
+/* Of a node; no later than that: the key itself only where it is certainly true there. */
+static double next_of_node(struct tiler *tiler, const struct csg_tree *tree, uint32_t begin,
+                           double key)
 {
-    const struct csg_node *first = &tree->data[begin];
-    if (first->op == CSG_LEAF)
-        return leaf_value(range_of(tiler, first->leaf), first->negated, key) == CSG_EVERYTHING;
-    for (uint32_t i = first->end; i-- > begin;) {
+    double *keys = tiler->keys.data;
+    for (uint32_t i = tree->data[begin].end; i-- > begin;) {
         const struct csg_node *node = &tree->data[i];
-        tiler->values.data[i] = node->op == CSG_LEAF
-                                    ? leaf_value(range_of(tiler, node->leaf), node->negated, key)
-                                    : node_value(tiler, tree, i);
+        if (node->op == CSG_LEAF) {
+            keys[i] = next_of_leaf(range_of(tiler, node->leaf), node->negated, key);
+            continue;
+        }
+        const bool all = node->op == CSG_AND;
+        keys[i] = all ? key : INFINITY;
+        for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
+            keys[i] = all ? csg_larger(keys[i], keys[child]) : csg_smaller(keys[i], keys[child]);
     }
-    return tiler->values.data[begin] == CSG_EVERYTHING;
+    return keys[begin];
 }
 
-/* doubt: an operand of the outermost intersection that was not everything at another key, and is
- * asked first. */
-static bool has_begun(struct tiler *tiler, const struct csg_tree *tree, double key, uint32_t *doubt)
+/* The same for the whole tree; operands of an intersection are asked where those before them got
+ * to. */
+static double next_of_tree(struct tiler *tiler, const struct csg_tree *tree, double key)
 {
     if (tree->data[0].op != CSG_AND)
-        return is_everything(tiler, tree, 0, key);
-    if (*doubt > 0 && !is_everything(tiler, tree, *doubt, key))
-        return false;
-    for (uint32_t child = 1; child < tree->num; child = tree->data[child].end)
-        if (!is_everything(tiler, tree, child, key)) {
-            *doubt = child;
-            return false;
-        }
-    return true;
-}
-
-/* Keeps the smallest keys, in their order. */
-static void add_candidate(struct tiler *tiler, double key)
-{
-    double *keys = tiler->candidates.data;
-    size_t i = tiler->candidates.num;
-    if (i == MAX_CANDIDATES && !(key < keys[i - 1]))
-        return;
-    i = i < MAX_CANDIDATES ? tiler->candidates.num++ : i - 1;
-    for (; i > 0 && key < keys[i - 1]; i--)
-        keys[i] = keys[i - 1];
-    keys[i] = key;
-}
-
-/* Where the object can have begun in all of the tile: in the solids that must all be there. */
-static struct csg_range solid_keys(const struct tiler *tiler, const struct csg_tree *tree)
-{
-    struct csg_range keys = {-INFINITY, INFINITY};
-    if (tree->data[0].op == CSG_OR)
-        return keys;
-    for (uint32_t i = tree->data[0].op == CSG_AND; i < tree->num; i = tree->data[i].end) {
-        const struct csg_node *node = &tree->data[i];
-        if (node->op != CSG_LEAF || node->negated)
-            continue;
-        const struct csg_leaf_range *leaf = range_of(tiler, node->leaf);
-        if (!leaf->solid)
-            return (struct csg_range){INFINITY, -INFINITY};
-        keys.lo = csg_larger(keys.lo, leaf->entry.hi);
-        keys.hi = csg_smaller(keys.hi, leaf->exit.lo);
+        return next_of_node(tiler, tree, 0, key);
+    const double far = tiler->terms->frame->screen.k_far;
+    for (uint32_t child = 1; child < tree->num && key < far; child = tree->data[child].end) {
+        const struct csg_node *node = &tree->data[child];
+        key = node->op == CSG_LEAF
+                  ? next_of_leaf(range_of(tiler, node->leaf), node->negated, key)
+                  : next_of_node(tiler, tree, child, key);
     }
-    return keys;
-}
-
-static void add_candidates(struct tiler *tiler, const struct csg_tree *tree)
-{
-    const struct csg_range within = solid_keys(tiler, tree);
-    for (size_t i = 0; i < tree->num && within.lo < within.hi; i++) {
-        const struct csg_node *node = &tree->data[i];
-        if (node->op != CSG_LEAF)
-            continue;
-        const struct csg_leaf_range *leaf = range_of(tiler, node->leaf);
-        if (leaf->entry.lo > leaf->exit.hi || (!node->negated && !leaf->solid))
-            continue;
-        const double begin = node->negated ? leaf->exit.hi : leaf->entry.hi;
-        const double key = begin + 1e-9 * (1 + fabs(begin));
-        if (key > within.lo && key < within.hi)
-            add_candidate(tiler, key);
-    }
+    return key;
 }
 
 /*
- * A key at which every ray of the tile is inside the object: nothing behind it shows. Tried are the
- * places just behind where solids certainly begin and subtracted ones certainly end.
+ * A key at which every ray of the tile is inside the object: nothing behind it shows. It is found as
+ * shaders find the first visible point, with what is certain of the leaves in all of the tile.
  */
 static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
 {
     const double far = tiler->terms->frame->screen.k_far;
+    double key = -(double)CSG_KEY_MAX;
     tiler->opaque = false;
-    tiler->candidates.num = tiler->values.num = 0;
-    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->candidates, MAX_CANDIDATES) ||
-        !csg_array_reserve(&tiler->values, tree->num))
+    tiler->keys.num = 0;
+    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->keys, tree->num))
         return far;
-    add_candidates(tiler, tree);
-    const double *keys = tiler->candidates.data;
-    uint32_t doubt = 0;
-    for (size_t i = 0; i < tiler->candidates.num && keys[i] < far; i++)
-        if (has_begun(tiler, tree, keys[i], &doubt)) {
-            tiler->opaque = true;
-            return keys[i];
-        }
-    return far;
+    for (int i = 0; i < MAX_JUMPS && key < far && !tiler->opaque; i++) {
+        const double next = next_of_tree(tiler, tree, key);
+        tiler->opaque = next == key;
+        key = next;
+    }
+    return tiler->opaque ? key : far;
 }
 
 /* Whether something is known of a leaf. */
@@ -536,8 +481,7 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
     free(tiler.contexts.data);
     free(tiler.stacks.data);
     free(tiler.planes.data);
-    free(tiler.values.data);
-    free(tiler.candidates.data);
+    free(tiler.keys.data);
     csg_scan_finish(&tiler.scan);
     return ok;
 }
