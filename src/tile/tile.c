@@ -7,10 +7,14 @@
 #include "pack/surface_record.h"
 #include "tile/bands.h"
 #include "tile/dominate.h"
+#include "tile/front.h"
 #include "tile/scan.h"
 
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
+
+/* Trees of so many nodes are first looked through for leaves that miss the tile. */
+#define MIN_SIFTED_NODES 64
 
 /* Tiles with surfaces of triangles have lists of their own in smaller cells, but nothing is drawn
  * where a tile is empty. In pixels. */
@@ -18,9 +22,6 @@
 
 /* A tile that may meet so few bands of stacks is not worth cutting for them. */
 #define SMALL_BANDS 4
-
-/* Keys tried for one at which the object has certainly begun. */
-#define MAX_JUMPS 32
 
 /* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
 struct task {
@@ -47,7 +48,7 @@ struct tiler {
     CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
     CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
-    CSG_ARRAY(double) keys; /* by node, see next_of_node */
+    CSG_ARRAY(double) keys; /* by node, for csg_front_find */
     struct csg_scan scan;
     size_t max_texels; /* of the frame, from which on tiles are not cut further */
     bool opaque;       /* the tile at hand: the object has certainly begun somewhere in all of it */
@@ -133,77 +134,13 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
     return CSG_VARIES;
 }
 
-/* Just behind a key. */
-static double behind(double key)
+/* The key behind which nothing shows. */
+static double front_of(struct tiler *tiler, const struct csg_tree *tree)
 {
-    return key + 1e-9 * (1 + fabs(key));
-}
-
-/* The first key from key on at which the leaf's literal is certainly true for all rays of the tile;
- * INFINITY: there is none. */
-static double next_of_leaf(const struct csg_leaf_range *leaf, bool negated, double key)
-{
-    if (negated)
-        return key < leaf->entry.lo || key > leaf->exit.hi || leaf->entry.lo > leaf->exit.hi
-                   ? key
-                   : behind(leaf->exit.hi);
-    const double begin = key > leaf->entry.hi ? key : behind(leaf->entry.hi);
-    return leaf->solid && begin < leaf->exit.lo ? begin : INFINITY;
-}
-
-/* Of a node; no later than that: the key itself only where it is certainly true there. */
-static double next_of_node(struct tiler *tiler, const struct csg_tree *tree, uint32_t begin,
-                           double key)
-{
-    double *keys = tiler->keys.data;
-    for (uint32_t i = tree->data[begin].end; i-- > begin;) {
-        const struct csg_node *node = &tree->data[i];
-        if (node->op == CSG_LEAF) {
-            keys[i] = next_of_leaf(range_of(tiler, node->leaf), node->negated, key);
-            continue;
-        }
-        const bool all = node->op == CSG_AND;
-        keys[i] = all ? key : INFINITY;
-        for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
-            keys[i] = all ? csg_larger(keys[i], keys[child]) : csg_smaller(keys[i], keys[child]);
-    }
-    return keys[begin];
-}
-
-/* The same for the whole tree; operands of an intersection are asked where those before them got
- * to. */
-static double next_of_tree(struct tiler *tiler, const struct csg_tree *tree, double key)
-{
-    if (tree->data[0].op != CSG_AND)
-        return next_of_node(tiler, tree, 0, key);
-    const double far = tiler->terms->frame->screen.k_far;
-    for (uint32_t child = 1; child < tree->num && key < far; child = tree->data[child].end) {
-        const struct csg_node *node = &tree->data[child];
-        key = node->op == CSG_LEAF
-                  ? next_of_leaf(range_of(tiler, node->leaf), node->negated, key)
-                  : next_of_node(tiler, tree, child, key);
-    }
+    double key = tiler->terms->frame->screen.k_far;
+    tiler->opaque = !tiler->draw->around_eye && csg_front_find(tiler->terms, tree, tiler->ranges.data,
+                                                               tiler->keys.data, &key);
     return key;
-}
-
-/*
- * A key at which every ray of the tile is inside the object: nothing behind it shows. It is found as
- * shaders find the first visible point, with what is certain of the leaves in all of the tile.
- */
-static double opaque_key(struct tiler *tiler, const struct csg_tree *tree)
-{
-    const double far = tiler->terms->frame->screen.k_far;
-    double key = -(double)CSG_KEY_MAX;
-    tiler->opaque = false;
-    tiler->keys.num = 0;
-    if (tiler->draw->around_eye || !csg_array_reserve(&tiler->keys, tree->num))
-        return far;
-    for (int i = 0; i < MAX_JUMPS && key < far && !tiler->opaque; i++) {
-        const double next = next_of_tree(tiler, tree, key);
-        tiler->opaque = next == key;
-        key = next;
-    }
-    return tiler->opaque ? key : far;
 }
 
 /* Whether something is known of a leaf. */
@@ -211,7 +148,7 @@ static bool judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 {
     bool found = false;
     struct csg_range *contexts = tiler->contexts.data;
-    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, opaque_key(tiler, tree)};
+    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, front_of(tiler, tree)};
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
@@ -234,11 +171,11 @@ static bool judge_leaves(struct tiler *tiler, const struct csg_tree *tree)
 static bool reserve(struct tiler *tiler, size_t num)
 {
     tiler->nodes.num = tiler->contexts.num = tiler->ranges.num = 0;
-    tiler->stacks.num = tiler->members.num = 0;
+    tiler->stacks.num = tiler->members.num = tiler->keys.num = 0;
     return csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
            csg_array_reserve(&tiler->ranges, tiler->terms->leaves.num) &&
            csg_array_reserve(&tiler->nodes, num) && csg_array_reserve(&tiler->contexts, num) &&
-           csg_array_reserve(&tiler->members, 2 * num);
+           csg_array_reserve(&tiler->keys, num) && csg_array_reserve(&tiler->members, 2 * num);
 }
 
 static size_t count_leaves(const struct csg_tree *tree)
@@ -411,10 +348,31 @@ static bool is_worth_cutting(const struct tiler *tiler, const struct task *task,
     return !smallest && many && tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
+/* Leaves out what the tile misses by its rectangle: what is left of a large tree is asked more. */
+static bool sift(struct tiler *tiler, struct task *task)
+{
+    const size_t num_leaves = tiler->terms->scene->num_leaves;
+    if (task->tree.num < MIN_SIFTED_NODES || tiler->draw->around_eye)
+        return true;
+    for (size_t i = 0; i < task->tree.num; i++) {
+        const uint32_t leaf = task->tree.data[i].leaf;
+        if (task->tree.data[i].op != CSG_LEAF)
+            continue;
+        const bool missed =
+            leaf < num_leaves && !is_in_rect(&csg_terms_of(tiler->terms, leaf)->rect, task);
+        tiler->terms->known[leaf] = missed ? CSG_NOTHING : CSG_VARIES;
+    }
+    return csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known);
+}
+
 static bool run(struct tiler *tiler, struct task *task)
 {
-    if (!reserve(tiler, task->tree.num))
+    if (!sift(tiler, task) || !reserve(tiler, task->tree.num))
         return false;
+    if (task->tree.num == 0) {
+        tiler->terms->frame->tiles_empty++;
+        return true;
+    }
     const struct csg_tile_box box = tile_box(tiler, task);
     csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
     fill_ranges(tiler, task, &box);
