@@ -5,7 +5,7 @@
 
 file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.c
     ${PROJECT_SOURCE_DIR}/src/*/*/*.c)
-list(FILTER library_sources EXCLUDE REGEX "/src/(cli|clip|compare|report|tess|text|xml)/")
+list(FILTER library_sources EXCLUDE REGEX "/src/(cli|clip|compare|report|tess|text|threemf|xml)/")
 
 # shaders: some constants stand in .glsl files that C includes as well.
 set(internal_includes ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * import() of meshes that need no library: STL and OFF. What OpenSCAD cannot read is empty there.
+ * What import() of meshes and of drawings have in common: the file.
  */
 #include "scene/import.h"
 
@@ -15,9 +15,6 @@
 #include <unistd.h>
 
 #include "common/module.h"
-#include "scene/compounds.h"
-#include "scene/mesh_file.h"
-#include "scene/polyhedron.h"
 
 const char *csg_import_name(const struct csg_args *args)
 {
@@ -33,7 +30,11 @@ bool csg_import_has_ending(const char *name, const char *ending)
 
 bool csg_import_is_mesh(const char *name)
 {
-    return csg_import_has_ending(name, ".stl") || csg_import_has_ending(name, ".off");
+    static const char *const endings[] = {".stl", ".off", ".amf", ".3mf"};
+    bool is_mesh = false;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        is_mesh = is_mesh || csg_import_has_ending(name, endings[i]);
+    return is_mesh;
 }
 
 bool csg_import_is_drawing(const char *name)
@@ -114,39 +115,4 @@ bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args
         csg_walk_warning(walk, node, "%.160s: %s; nothing is drawn", path, strerror(errno));
     free(path);
     return !is_out_of_memory || csg_log_memory(&walk->builder->report->log);
-}
-
-static bool add_file(struct csg_walk *walk, uint32_t node, const char *name,
-                     const struct csg_bytes *bytes, struct csg_part *part)
-{
-    struct csg_mesh mesh = {0};
-    size_t line;
-    const enum csg_mesh_file result = csg_import_has_ending(name, ".off")
-                                          ? csg_off_file_read(bytes, &mesh, &line)
-                                          : csg_stl_file_read(bytes, &mesh, &line);
-    bool ok = result != CSG_MESH_FILE_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
-    if (result == CSG_MESH_FILE_FOREIGN)
-        csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported", name);
-    else if (result == CSG_MESH_FILE_MALFORMED && line > 0)
-        csg_walk_warning(walk, node, "%.160s:%zu: malformed; nothing is drawn", name, line);
-    else if (result == CSG_MESH_FILE_MALFORMED)
-        csg_walk_warning(walk, node, "%.160s: malformed; nothing is drawn", name);
-    if (result == CSG_MESH_FILE_DONE)
-        ok = csg_polyhedron_clean(walk, node, false, &mesh) &&
-             csg_polyhedron_add(walk, node, &mesh, part);
-    csg_mesh_finish(&mesh);
-    return ok;
-}
-
-bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
-                         bool in_boolean, struct csg_part *part)
-{
-    struct csg_bytes bytes = {0};
-    const char *name;
-    (void)in_boolean;
-    bool ok = csg_import_read(walk, node, args, &name, &bytes);
-    if (ok && name)
-        ok = add_file(walk, node, name, &bytes, part);
-    free(bytes.data);
-    return ok;
 }

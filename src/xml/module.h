@@ -28,7 +28,7 @@ enum csg_xml_result {
     CSG_XML_DONE,
     CSG_XML_MALFORMED, /* the sink has got what is before that */
     CSG_XML_ENTITY,    /* its text has one that it defines itself, see error */
-    CSG_XML_ENDED,     /* by the sink */
+    CSG_XML_ENDED,     /* by the sink; error tells in which line */
     CSG_XML_NO_MEMORY,
 };
 

@@ -124,10 +124,15 @@ static enum csg_xml_result begin(struct reader *reader)
     return !ok ? CSG_XML_NO_MEMORY : done ? CSG_XML_DONE : CSG_XML_ENDED;
 }
 
-static enum csg_xml_result refuse_entity(struct reader *reader)
+static void note_line(const struct reader *reader)
 {
     const int line = xmlTextReaderGetParserLineNumber(reader->xml);
     reader->error->line = line > 0 ? (size_t)line : 0;
+}
+
+static enum csg_xml_result refuse_entity(const struct reader *reader)
+{
+    note_line(reader);
     snprintf(reader->error->text, sizeof reader->error->text, "the entity '%.40s'",
              (const char *)xmlTextReaderConstName(reader->xml));
     return CSG_XML_ENTITY;
@@ -161,6 +166,8 @@ static enum csg_xml_result read_elements(struct reader *reader)
     int more = xmlTextReaderRead(reader->xml);
     while (more == 1) {
         result = take(reader);
+        if (result == CSG_XML_ENDED)
+            note_line(reader);
         if (result != CSG_XML_DONE)
             return result;
         more = xmlTextReaderRead(reader->xml);

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * import() of meshes. What OpenSCAD cannot read is empty there.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "files/amf.h"
+#include "files/threemf.h"
+#include "scene/compounds.h"
+#include "scene/import.h"
+#include "scene/mesh_file.h"
+#include "scene/polyhedron.h"
+
+/* The file at hand. */
+struct source {
+    struct csg_walk *walk;
+    uint32_t node;
+    const char *name;
+    struct csg_bytes bytes;
+    struct csg_mesh_list list; /* what was read of it */
+};
+
+static bool no_memory(const struct source *source)
+{
+    return csg_log_memory(&source->walk->builder->report->log);
+}
+
+static void lacks(const struct source *source, const char *module, const char *packages)
+{
+    csg_walk_unsupported(source->walk, source->node,
+                         "import: %s is missing, or lacks its libraries (Debian: %s)", module,
+                         packages);
+}
+
+/* ---- STL and OFF ---------------------------------------------------------------------------- */
+
+static bool read_plain(struct source *source)
+{
+    struct csg_mesh *mesh = csg_mesh_list_add(&source->list);
+    size_t line;
+    if (!mesh)
+        return no_memory(source);
+    const enum csg_mesh_file result = csg_import_has_ending(source->name, ".off")
+                                          ? csg_off_file_read(&source->bytes, mesh, &line)
+                                          : csg_stl_file_read(&source->bytes, mesh, &line);
+    if (result == CSG_MESH_FILE_NO_MEMORY)
+        return no_memory(source);
+    if (result == CSG_MESH_FILE_FOREIGN)
+        csg_walk_unsupported(source->walk, source->node,
+                             "import: %.100s is of a kind that is not supported", source->name);
+    else if (result == CSG_MESH_FILE_MALFORMED && line > 0)
+        csg_walk_warning(source->walk, source->node, "%.160s:%zu: malformed; nothing is drawn",
+                         source->name, line);
+    else if (result == CSG_MESH_FILE_MALFORMED)
+        csg_walk_warning(source->walk, source->node, "%.160s: malformed; nothing is drawn",
+                         source->name);
+    if (result != CSG_MESH_FILE_DONE)
+        csg_mesh_list_finish(&source->list);
+    return true;
+}
+
+/* ---- AMF ------------------------------------------------------------------------------------ */
+
+static bool read_amf(struct source *source)
+{
+    const struct csg_xml_module *xml = csg_import_xml(source->walk);
+    const char *slash = strrchr(source->name, '/');
+    struct csg_xml_error error = {0};
+    if (!xml) {
+        lacks(source, "csgcast-xml.so", "libxml2 libzip4");
+        return true;
+    }
+    const enum csg_amf_result result =
+        csg_amf_read(&source->bytes, slash ? slash + 1 : source->name, xml, &source->list, &error);
+    if (result == CSG_AMF_ENTITY)
+        csg_import_refuse(source->walk, source->node, source->name, &error);
+    else if (result == CSG_AMF_MALFORMED)
+        csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s; %s", source->name, error.line,
+                         error.text,
+                         source->list.meshes.num > 0 ? "only the objects before that are drawn"
+                                                     : "nothing is drawn");
+    return result != CSG_AMF_NO_MEMORY || no_memory(source);
+}
+
+/* ---- 3MF ------------------------------------------------------------------------------------ */
+
+static bool read_3mf(struct source *source)
+{
+    char error[120] = "";
+    switch (csg_3mf_read(&source->bytes, &source->list, error, sizeof error)) {
+    case CSG_3MF_FILE_NO_MODULE:
+        lacks(source, "csgcast-3mf.so", "lib3mf1");
+        return true;
+    case CSG_3MF_FILE_MALFORMED:
+        csg_walk_warning(source->walk, source->node, "%.80s: %s; nothing is drawn", source->name,
+                         error);
+        return true;
+    case CSG_3MF_FILE_NO_MEMORY:
+        return no_memory(source);
+    default:
+        return true;
+    }
+}
+
+/* ---- the node ------------------------------------------------------------------------------- */
+
+/* OpenSCAD unites several objects. */
+static bool add_meshes(const struct source *source, struct csg_part *part)
+{
+    const bool is_union = source->list.meshes.num > 1;
+    bool ok = !is_union || csg_part_open(part, false) || no_memory(source);
+    for (size_t i = 0; i < source->list.meshes.num && ok; i++) {
+        struct csg_mesh *mesh = &source->list.meshes.data[i];
+        ok = csg_polyhedron_clean(source->walk, source->node, false, mesh) &&
+             csg_polyhedron_add(source->walk, source->node, mesh, part);
+    }
+    if (is_union && ok)
+        csg_part_close(part);
+    return ok;
+}
+
+static bool read_file(struct source *source)
+{
+    if (csg_import_has_ending(source->name, ".amf"))
+        return read_amf(source);
+    return csg_import_has_ending(source->name, ".3mf") ? read_3mf(source) : read_plain(source);
+}
+
+bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                         bool in_boolean, struct csg_part *part)
+{
+    struct source source = {.walk = walk, .node = node};
+    (void)in_boolean;
+    bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
+    if (ok && source.name)
+        ok = read_file(&source) && add_meshes(&source, part);
+    csg_mesh_list_finish(&source.list);
+    free(source.bytes.data);
+    return ok;
+}
