@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/terms.h"
 
+#include "common/parallel.h"
 #include "pack/textbook.h"
 
 #include <stdlib.h>
@@ -123,24 +124,31 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
         csg_screen_base(&frame->screen, (const double(*)[4])texels, center, radius, base);
 }
 
+/* What some of the leaves tell of all of them: see csg_terms. */
+struct notes {
+    bool translucent, stiff;
+    double error;
+    uint32_t roughest;
+};
+
 /* Stiff quadrics are those whose crossings float may not hold. */
-static void note_stiff(struct csg_terms *terms, const struct csg_rect *rect, uint32_t leaf,
-                       const double (*texels)[4])
+static void note_stiff(const struct csg_terms *terms, const struct csg_rect *rect, uint32_t leaf,
+                       const double (*texels)[4], struct notes *notes)
 {
     const struct csg_screen *screen = &terms->frame->screen;
     const uint32_t carrier = terms->scene->carriers->quadric_faces[leaf].carrier;
     double depth[2];
     if (terms->params->textbook || !((int)texels[0][3] & CSG_QUADRIC_STIFF))
         return;
-    terms->stiff = true;
+    notes->stiff = true;
     if (terms->precise)
         return;
     csg_depth_range(screen, &terms->scene->carriers->quadric_boxes[carrier], depth);
     const double error = csg_quadric_error(screen, terms->frame->at, rect, depth, texels);
-    if (error <= terms->error)
+    if (error <= notes->error)
         return;
-    terms->error = error;
-    terms->roughest = leaf;
+    notes->error = error;
+    notes->roughest = leaf;
 }
 
 static void put_quadric(const struct csg_terms *terms, const struct csg_node *node,
@@ -207,8 +215,8 @@ static struct csg_rect leaf_rect(const struct csg_terms *terms, const struct csg
     return csg_screen_rect(screen, &shape->frame, &shape->bounds);
 }
 
-static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_node *node, const struct csg_rect *rect)
+/* Makes room for a leaf's terms and attributes. */
+static bool place_leaf(struct csg_terms *terms, const struct csg_node *node)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
@@ -219,36 +227,94 @@ static bool add_leaf(struct csg_terms *terms, const struct csg_object *object,
     const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
     const size_t padding = block * 4 - terms->frame->texels.num / 4;
-    float *room = csg_frame_add_texels(terms->frame,
-                                       padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes);
-    if (!room || !csg_array_reserve(&terms->texels, 4 * num_texels))
+    struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4,
+                                  .num_entries = num_planes,
+                                  .attributes = block};
+    if (!csg_frame_add_texels(terms->frame,
+                              padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes) ||
+        !csg_array_reserve(&terms->texels, 4 * num_texels) ||
+        (shape->surface && !add_view(terms, node, &leaf)))
         return false;
-    float(*attributes)[4] = (float(*)[4])(room + 4 * padding);
-    double(*texels)[4] = (double(*)[4])(terms->texels.data + terms->texels.num);
-    float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
-    const float mark = (float)(block + 1);
-    struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4, .attributes = block};
-    face_color(terms, object, node, attributes[CSG_ATTRIBUTE_COLOR]);
-    attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
-    leaf.num_entries = num_planes;
-    leaf.flags = csg_node_flags(terms->scene, node);
-    leaf.carrier = carriers->quadric_faces[node->leaf].carrier;
-    leaf.rect = leaf_rect(terms, object, shape);
-    if (shape->surface && !add_view(terms, node, &leaf))
-        return false;
-    if (node->spare)
-        leaf.num_entries = put_nothing(num_planes, shape->has_quadric, texels);
-    else if (!shape->surface)
-        leaf.num_entries = put_planes(terms, node, first_face, texels, normals, mark);
-    leaf.num_exits = num_planes - leaf.num_entries;
-    if (shape->has_quadric && !node->spare) {
-        put_quadric(terms, node, texels + num_planes, normals, mark);
-        note_stiff(terms, rect, node->leaf, (const double(*)[4])texels + num_planes);
-    }
-    terms->translucent |= !node->spare && attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
     terms->texels.num += 4 * num_texels;
     terms->index[node->leaf] = (uint32_t)terms->leaves.num;
     return csg_array_push(&terms->leaves, leaf);
+}
+
+/* Fills the room of a leaf. */
+static void fill_leaf(const struct csg_terms *terms, const struct csg_object *object,
+                      const struct csg_node *node, const struct csg_rect *rect,
+                      struct notes *notes)
+{
+    const struct csg_carriers *carriers = terms->scene->carriers;
+    const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
+    struct csg_leaf_terms *leaf = &terms->leaves.data[terms->index[node->leaf]];
+    const uint32_t num_planes = leaf->num_entries;
+    float(*attributes)[4] = (float(*)[4])terms->frame->texels.data + 4 * leaf->attributes;
+    double(*texels)[4] = (double(*)[4])terms->texels.data + leaf->texels;
+    float(*normals)[4] = attributes + CSG_ATTRIBUTE_NORMALS;
+    const float mark = (float)(leaf->attributes + 1);
+    face_color(terms, object, node, attributes[CSG_ATTRIBUTE_COLOR]);
+    attributes[CSG_ATTRIBUTE_LEAF][0] = (float)node->leaf;
+    leaf->flags = csg_node_flags(terms->scene, node);
+    leaf->carrier = carriers->quadric_faces[node->leaf].carrier;
+    leaf->rect = leaf_rect(terms, object, shape);
+    if (node->spare)
+        leaf->num_entries = put_nothing(num_planes, shape->has_quadric, texels);
+    else if (!shape->surface)
+        leaf->num_entries = put_planes(terms, node, shape->has_quadric ? CSG_NORMAL_TERMS : 0,
+                                       texels, normals, mark);
+    leaf->num_exits = num_planes - leaf->num_entries;
+    if (shape->has_quadric && !node->spare) {
+        put_quadric(terms, node, texels + num_planes, normals, mark);
+        note_stiff(terms, rect, node->leaf, (const double(*)[4])texels + num_planes, notes);
+    }
+    notes->translucent |= !node->spare && attributes[CSG_ATTRIBUTE_COLOR][3] < 1;
+}
+
+/* Nodes that one core fills at a time. */
+#define CHUNK 128
+
+struct filling {
+    const struct csg_terms *terms;
+    const struct csg_object *object;
+    const struct csg_rect *rect;
+    struct notes *notes; /* by chunk */
+};
+
+static void fill_chunk(void *user, size_t chunk)
+{
+    const struct filling *filling = user;
+    const struct csg_object *object = filling->object;
+    const struct csg_node *nodes = filling->terms->scene->trees[object->layer].data;
+    const size_t begin = object->begin + CHUNK * chunk;
+    for (size_t i = begin; i < begin + CHUNK && i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF)
+            fill_leaf(filling->terms, object, &nodes[i], filling->rect, &filling->notes[chunk]);
+}
+
+/* As if the chunks had been filled one after the other. */
+static void take_notes(struct csg_terms *terms, const struct notes *notes)
+{
+    terms->translucent |= notes->translucent;
+    terms->stiff |= notes->stiff;
+    if (notes->error <= terms->error)
+        return;
+    terms->error = notes->error;
+    terms->roughest = notes->roughest;
+}
+
+static bool fill_leaves(struct csg_terms *terms, const struct csg_object *object,
+                        const struct csg_rect *rect)
+{
+    const size_t num = (object->end - object->begin + CHUNK - 1) / CHUNK;
+    struct filling filling = {terms, object, rect, calloc(num + 1, sizeof *filling.notes)};
+    if (!filling.notes)
+        return false;
+    csg_parallel(terms->params->num_threads, num, fill_chunk, &filling);
+    for (size_t i = 0; i < num; i++)
+        take_notes(terms, &filling.notes[i]);
+    free(filling.notes);
+    return true;
 }
 
 /* A leaf of its own for each stack. */
@@ -273,9 +339,10 @@ static bool fill(struct csg_terms *terms, const struct csg_object *object,
     terms->translucent = terms->stiff = false;
     terms->error = 0;
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !add_leaf(terms, object, &nodes[i], rect))
+        if (nodes[i].op == CSG_LEAF && !place_leaf(terms, &nodes[i]))
             return false;
-    return terms->params->textbook || add_stacks(terms, object);
+    return fill_leaves(terms, object, rect) &&
+           (terms->params->textbook || add_stacks(terms, object));
 }
 
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
