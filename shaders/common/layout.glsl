@@ -73,6 +73,9 @@
 #define CSG_ATTRIBUTE_NORMALS 2 /* the quadric's terms if any, then one texel a plane */
 #define CSG_NORMAL_TERMS 4
 
+/* Texels of the attribute block of a solid with (1) or without (0) a quadric, and planes. */
+#define CSG_BLOCK_TEXELS(quadric, planes) ((5 + CSG_NORMAL_TERMS * (quadric) + (planes)) / 4 * 4)
+
 #define CSG_QUADRIC_TEXELS 5
 
 /* What a quadric's crossings bound, and the signs in its conic; the sum is the fourth component

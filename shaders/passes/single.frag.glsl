@@ -1,8 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* One convex solid seen from outside: what geometry.frag.glsl finds, without a Boolean. */
+/* One convex solid seen from outside: what geometry.frag.glsl finds, without a Boolean. It is an
+ * instance, or the one that owns the pixel. */
 
+#ifdef CSG_OWNED
+flat in ivec4 csg_members;
+flat in ivec2 csg_row;
+uniform isamplerBuffer csg_owners;
+
+int csg_normals;
+vec4 csg_handed[CSG_NUM_TEXELS];
+
+/* false: nobody owns the pixel, or a member of another class. */
+bool csg_find_owner()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int number = texelFetch(csg_owners, at.x + csg_row.x * at.y + csg_row.y).x;
+    if (number < csg_members.x || number >= csg_members.y)
+        return false;
+    number -= csg_members.x;
+    csg_normals = csg_members.w + CSG_ATTRIBUTE_NORMALS + CSG_MEMBER_BLOCK * number;
+    for (int i = 0; i < CSG_NUM_TEXELS; i++)
+        csg_handed[i] = csg_texel(csg_members.z + CSG_NUM_TEXELS * number + i);
+    return true;
+}
+#else
 flat in int csg_normals;
 flat in vec4 csg_handed[CSG_NUM_TEXELS]; /* the quadric's, then the planes' */
+#endif
 
 #ifdef CSG_IS_BALL
 /* The crossings of a ball, by those operations of csg_quadric that are not idle for it. */
@@ -19,6 +43,10 @@ vec2 csg_ball(vec2 d)
 
 void main()
 {
+#ifdef CSG_OWNED
+    if (!csg_find_owner())
+        discard;
+#endif
     vec2 d = csg_pixel();
     int normal = csg_normals;
 #ifdef CSG_IS_BALL

@@ -210,6 +210,31 @@ WIDE unsigned rear_shows(const struct csg_cast *cast, float dx, float dy, int nu
     return side_shows(cast, true, dx, dy, num, keys);
 }
 
+/* Those before the member may be nearer than it from least on, so what it hides before that is all
+ * of them. */
+WIDE void contend(const struct csg_cast *cast, float dx, float dy, int num, uint32_t me,
+                  float *restrict keys, float *restrict least, uint32_t *restrict who,
+                  struct csg_contested *restrict result)
+{
+    struct spans spans;
+    unsigned shows = 0, with_others = 0;
+    cast_row(cast, dx, dy, &spans);
+    for (int i = 0; i < CSG_CAST_LANES; i++) {
+        const float near = spans.entry_lo[i];
+        const float far = spans.entry_hi[i] < spans.exit_lo[i] ? spans.entry_hi[i] : CSG_KEY_MAX;
+        const bool met = (near <= spans.exit_hi[i]) & (near <= keys[i]) & (i < num);
+        const bool alone = far < least[i];
+        shows |= met ? bits[i] : 0;
+        with_others |= met & !alone ? bits[i] : 0;
+        const float nearer = near < least[i] ? near : least[i];
+        keys[i] = met & (far < keys[i]) ? far : keys[i];
+        least[i] = met ? alone ? near : nearer : least[i];
+        who[i] = met ? alone ? me : CSG_SEVERAL : who[i];
+    }
+    result->shows = shows;
+    result->with_others = with_others;
+}
+
 WIDE bool any_behind(float key, int num, const float *keys)
 {
     unsigned behind = 0;
@@ -230,6 +255,14 @@ unsigned csg_cast_shows(const struct csg_cast *cast, enum csg_cast_side side, fl
 {
     return side == CSG_CAST_REAR ? rear_shows(cast, dx, dy, num, keys)
                                  : front_shows(cast, dx, dy, num, keys);
+}
+
+struct csg_contested csg_cast_contend(const struct csg_cast *cast, float dx, float dy, int num,
+                                      uint32_t who, const struct csg_contest *contest)
+{
+    struct csg_contested result;
+    contend(cast, dx, dy, num, who, contest->keys, contest->least, contest->who, &result);
+    return result;
 }
 
 bool csg_cast_any_behind(float key, int num, const float *keys)

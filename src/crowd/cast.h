@@ -46,6 +46,26 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
 bool csg_cast_draw(const struct csg_cast *cast, enum csg_cast_side side, float dx, float dy,
                    int num, float *keys);
 
+#define CSG_SEVERAL (UINT32_MAX - 1) /* in place of a member */
+
+/* What a row of pixels knows of those that may show there, see crowd/owners.h. */
+struct csg_contest {
+    float *keys;   /* what hides what is behind it */
+    float *least;  /* nothing of those that may show is nearer; infinite where nobody may */
+    uint32_t *who; /* the only one, or CSG_SEVERAL */
+};
+
+/* Pixels, as bits. */
+struct csg_contested {
+    unsigned shows;       /* the member may show there, */
+    unsigned with_others; /* ... and so may some of those before it */
+};
+
+/* As csg_cast_draw of the near side, and enters who where the member may show: in place of those
+ * that it certainly hides, or else as one of several. */
+struct csg_contested csg_cast_contend(const struct csg_cast *cast, float dx, float dy, int num,
+                                      uint32_t who, const struct csg_contest *contest);
+
 /* The pixels, as bits, at which that side may show. */
 unsigned csg_cast_shows(const struct csg_cast *cast, enum csg_cast_side side, float dx, float dy,
                         int num, const float *keys);

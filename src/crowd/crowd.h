@@ -30,6 +30,9 @@ struct csg_crowd_class {
 
 #define CSG_CROWD_NO_KIN UINT32_MAX
 
+/* Fewer members are drawn sooner than compared, and have no picture of owners. */
+enum { CSG_MIN_OCCLUDERS = 64 };
+
 /* One entry a member, ordered by class, then by object. */
 struct csg_crowd {
     size_t num;

@@ -54,7 +54,9 @@ static void look_at_block(void *user, size_t task)
     for (uint32_t i = block->begin; i < block->end; i++) {
         struct csg_candidate *candidate = &cull->candidates[block->begin + block->num];
         candidate->member = i;
-        candidate->class = block->class;
+        candidate->class = (uint16_t)block->class;
+        candidate->by_rect = true;
+        candidate->owns = false;
         const enum verdict verdict = look_at(cull, &camera, class, candidate);
         cull->demoted[i] = verdict == DEMOTED;
         if (verdict != SEEN)
@@ -172,5 +174,6 @@ void csg_cull_finish(struct csg_cull *cull)
     free(cull->state);
     free(cull->terms);
     csg_relief_finish(&cull->relief);
+    csg_owners_finish(&cull->owners);
     free(cull->drawn);
 }

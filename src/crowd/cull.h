@@ -22,7 +22,9 @@ struct csg_candidate {
     uint32_t member;
     int16_t lo[2], hi[2]; /* the pixels where it may show, both ends included; y upwards */
     float key;            /* nothing of it is nearer */
-    uint32_t class;
+    uint16_t class;
+    bool by_rect;         /* it is drawn there by itself */
+    bool owns;            /* it is drawn where it owns pixels, see crowd/owners.h */
 };
 
 /* A run of members of one class, and what is left of it. */
@@ -44,8 +46,12 @@ struct csg_cull {
     uint8_t *demoted;                 /* per member: drawn as other objects are */
     bool has_relief;
     struct csg_relief relief; /* where has_relief: of the opaque members */
+    size_t max_owners;        /* pixels that a picture of owners may have; 0: there is none */
+    struct csg_owners owners; /* the relief's, if it has any, */
+    struct csg_owned owned;   /* ... and where they are */
     bool together;            /* so many translucent members that only their nearest sides show */
-    atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell */
+    atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell; with
+                           owners: some pixel that it cannot own */
     float *terms;   /* of csg_member_terms, of the members that had to be cast */
     uint8_t *state; /* per member: enum csg_terms_state */
     size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* of a class's first member */

@@ -8,17 +8,28 @@
 #include "crowd/cull.h"
 #include "csg/carrier.h"
 #include "crowd/crowd.h"
+#include "crowd/occluders.h"
 #include "pack/ball.h"
 #include "pack/terms.h"
+
+/* What of a class is drawn, and where it goes. */
+struct class_plan {
+    size_t num, num_owners, num_rects, num_others; /* of all: others own nothing */
+    size_t first;                                  /* number of its first member */
+    size_t instances;                              /* in floats */
+    size_t terms, blocks;                          /* in texels */
+};
 
 struct filler {
     struct csg_cull cull;
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
-    size_t *instances; /* per block: where its first instance goes, in floats */
-    size_t *texels;    /* ... and its first attribute block */
+    struct class_plan classes[CSG_CROWD_MAX_CLASSES];
+    size_t *first;     /* per block: the number of its first member */
+    size_t *instances; /* ... where its first instance goes, in floats */
     size_t *pixels;    /* covered by the block's rectangles */
+    int32_t *numbers;  /* per member that owns pixels */
 };
 
 static size_t stride_of(const struct csg_crowd_class *class)
@@ -26,11 +37,9 @@ static size_t stride_of(const struct csg_crowd_class *class)
     return 4 + csg_member_num_terms(class) + 1;
 }
 
-/* Attribute blocks begin at multiples of four texels. */
 static size_t texels_of(const struct csg_crowd_class *class)
 {
-    const size_t normals = (class->has_quadric ? CSG_NORMAL_TERMS : 0u) + class->num_planes;
-    return (CSG_ATTRIBUTE_NORMALS + normals + 3) / 4 * 4;
+    return (size_t)CSG_BLOCK_TEXELS((int)class->has_quadric, (int)class->num_planes);
 }
 
 static size_t pixels_of(const struct csg_candidate *candidate)
@@ -39,37 +48,67 @@ static size_t pixels_of(const struct csg_candidate *candidate)
            (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
 }
 
-/* ---- one instance ---- */
-
-static void put_rect(const struct filler *filler, const struct csg_candidate *candidate, float *out)
+/* Pixels lo to hi, both included, in clip space. */
+static void put_rect(const struct csg_screen *screen, const int lo[2], const int hi[2],
+                     float rect[4])
 {
-    const double size[2] = {filler->frame->screen.width, filler->frame->screen.height};
+    const double size[2] = {screen->width, screen->height};
     for (int i = 0; i < 2; i++) {
-        out[i] = (float)(2 * candidate->lo[i] / size[i] - 1);
-        out[2 + i] = (float)(2 * (candidate->hi[i] + 1) / size[i] - 1);
+        rect[i] = (float)(2 * lo[i] / size[i] - 1);
+        rect[2 + i] = (float)(2 * (hi[i] + 1) / size[i] - 1);
     }
 }
 
-/* The leaf's colour, number and normals at texel place; its instance at out. false: demoted. */
-static bool put_member(struct filler *filler, const struct csg_crowd_class *class,
-                       const struct csg_candidate *candidate, size_t place, float *out)
+/* ---- one member ---- */
+
+static void put_instance(const struct filler *filler, const struct csg_crowd_class *class,
+                         const struct csg_candidate *candidate, const float *terms, size_t place,
+                         float *out)
 {
-    const uint32_t leaf = filler->cull.view.crowd->leaf[candidate->member];
-    float(*block)[4] = (float(*)[4])(filler->frame->texels.data + 4 * place);
-    const float *terms = csg_cull_terms(&filler->cull, candidate->class, candidate->member);
-    const float mark = (float)(place / 4 + 1);
+    const int lo[2] = {candidate->lo[0], candidate->lo[1]};
+    const int hi[2] = {candidate->hi[0], candidate->hi[1]};
     const int32_t first = (int32_t)(place + CSG_ATTRIBUTE_NORMALS);
-    if (!terms)
-        return false;
-    put_rect(filler, candidate, out);
+    put_rect(&filler->frame->screen, lo, hi, out);
     memcpy(out + 4, terms, csg_member_num_terms(class) * sizeof *terms);
     memcpy(out + stride_of(class) - 1, &first, sizeof first);
+}
+
+/* The leaf's colour, number and normals at texel place. */
+static void put_block(struct filler *filler, const struct csg_crowd_class *class, uint32_t member,
+                      size_t place)
+{
+    const uint32_t leaf = filler->cull.view.crowd->leaf[member];
+    float(*block)[4] = (float(*)[4])(filler->frame->texels.data + 4 * place);
+    memset(block, 0, texels_of(class) * sizeof *block);
     csg_face_color(filler->params->scheme, &filler->scene->leaves[leaf], NULL, CSG_LAYER_MODEL,
                    false, block[CSG_ATTRIBUTE_COLOR]);
     block[CSG_ATTRIBUTE_LEAF][0] = (float)leaf;
-    csg_member_normals(&filler->cull.view, class, candidate->member, mark,
+    csg_member_normals(&filler->cull.view, class, member, (float)(place / 4 + 1),
                        block + CSG_ATTRIBUTE_NORMALS);
-    return true;
+}
+
+/* Member number n of all; its instance, if it has one, goes to out. */
+static void put_member(struct filler *filler, const struct csg_candidate *candidate, size_t n,
+                       float *out)
+{
+    const struct csg_crowd_class *class = &filler->cull.view.crowd->classes[candidate->class];
+    const struct class_plan *plan = &filler->classes[candidate->class];
+    const float *terms = csg_cull_terms(&filler->cull, candidate->class, candidate->member);
+    const size_t place = plan->blocks + (n - plan->first) * texels_of(class);
+    const size_t num_terms = csg_member_num_terms(class);
+    if (!terms) { /* a rectangle without pixels */
+        memset(out, 0, stride_of(class) * sizeof *out);
+        filler->cull.demoted[candidate->member] = 1;
+        return;
+    }
+    put_block(filler, class, candidate->member, place);
+    if (candidate->by_rect)
+        put_instance(filler, class, candidate, terms, place, out);
+    if (candidate->owns)
+        filler->numbers[candidate->member] = (int32_t)n;
+    if (plan->num_owners)
+        memcpy(filler->frame->texels.data + 4 * plan->terms + (n - plan->first) * num_terms, terms,
+               num_terms * sizeof *terms);
 }
 
 static void fill_block(void *user, size_t task)
@@ -78,53 +117,148 @@ static void fill_block(void *user, size_t task)
     const struct csg_crowd_block *block = &filler->cull.blocks.data[task];
     const struct csg_crowd_class *class = &filler->cull.view.crowd->classes[block->class];
     float *out = filler->frame->crowd.instances.data + filler->instances[task];
-    size_t place = filler->texels[task];
     filler->pixels[task] = 0;
     for (uint32_t i = 0; i < block->num; i++) {
         const struct csg_candidate *candidate = &filler->cull.candidates[block->begin + i];
-        if (!put_member(filler, class, candidate, place, out)) {
-            memset(out, 0, stride_of(class) * sizeof *out); /* a rectangle without pixels */
-            filler->cull.demoted[candidate->member] = 1;
-        } else {
-            filler->pixels[task] += pixels_of(candidate);
-        }
+        put_member(filler, candidate, filler->first[task] + i, out);
+        if (!candidate->by_rect)
+            continue;
+        filler->pixels[task] += filler->cull.demoted[candidate->member] ? 0 : pixels_of(candidate);
         out += stride_of(class);
-        place += texels_of(class);
     }
 }
 
 /* ---- all of them ---- */
 
-/* One run a class; where each block's instances and attribute blocks go. */
+static void count(struct filler *filler)
+{
+    const struct csg_cull *cull = &filler->cull;
+    for (size_t i = 0; i < cull->blocks.num; i++) {
+        const struct csg_crowd_block *block = &cull->blocks.data[i];
+        struct class_plan *plan = &filler->classes[block->class];
+        const size_t stride = stride_of(&cull->view.crowd->classes[block->class]);
+        filler->first[i] = plan->num;
+        filler->instances[i] = plan->num_rects * stride;
+        plan->num += block->num;
+        for (size_t j = block->begin; j < block->begin + block->num; j++) {
+            plan->num_owners += cull->candidates[j].owns;
+            plan->num_rects += cull->candidates[j].by_rect;
+            plan->num_others += !cull->candidates[j].owns;
+        }
+    }
+}
+
+static struct csg_crowd_run run_of(const struct filler *filler, const struct csg_crowd_class *class)
+{
+    return (struct csg_crowd_run){.ball = class->outline == CSG_OUTLINE_BALL &&
+                                          filler->cull.view.square,
+                                  .has_quadric = class->has_quadric,
+                                  .num_planes = class->num_planes};
+}
+
+/* The run of a class's instances, and that of the pixels its members own. */
+static bool add_runs(struct filler *filler, const struct csg_crowd_class *class,
+                     const struct class_plan *plan, size_t owned)
+{
+    struct csg_frame_crowd *out = &filler->frame->crowd;
+    struct csg_crowd_run run = run_of(filler, class);
+    if (plan->num_owners) {
+        run.owned = true;
+        run.first = owned;
+        run.stride = sizeof(struct csg_owned_instance) / sizeof(float);
+        run.num = 1;
+        run.num_members = plan->num_owners;
+        if (!csg_array_push(&out->runs, run))
+            return false;
+    }
+    run.owned = false;
+    run.first = plan->instances;
+    run.stride = stride_of(class);
+    run.num = plan->num_rects;
+    run.num_members = plan->num_others;
+    return !plan->num_rects || csg_array_push(&out->runs, run);
+}
+
+static size_t aligned(size_t texels)
+{
+    return (texels + 3) / 4 * 4;
+}
+
+static void put_owned(const struct filler *filler, const struct class_plan *plan, float *out)
+{
+    struct csg_owned_instance instance = {.begin = (int32_t)plan->first,
+                                          .end = (int32_t)(plan->first + plan->num),
+                                          .terms = (int32_t)plan->terms,
+                                          .blocks = (int32_t)plan->blocks,
+                                          .width = filler->frame->screen.width};
+    put_rect(&filler->frame->screen, filler->cull.owned.lo, filler->cull.owned.hi, instance.rect);
+    memcpy(out, &instance, sizeof instance);
+}
+
+/* Where everything goes: attribute blocks begin at multiples of four texels. */
 static bool plan(struct filler *filler)
 {
     struct csg_frame_crowd *out = &filler->frame->crowd;
-    const struct csg_cull *cull = &filler->cull;
-    size_t floats = 0, texels = (filler->frame->texels.num / 4 + 3) / 4 * 4;
-    uint32_t last = UINT32_MAX;
-    for (size_t i = 0; i < cull->blocks.num; i++) {
-        const struct csg_crowd_block *block = &cull->blocks.data[i];
-        const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
-        const bool ball = class->outline == CSG_OUTLINE_BALL && cull->view.square;
-        const struct csg_crowd_run run = {ball, class->has_quadric,
-                                          class->num_planes, floats, stride_of(class), 0};
-        if (block->class != last && !csg_array_push(&out->runs, run))
+    const struct csg_crowd *crowd = filler->cull.view.crowd;
+    const size_t own_size = sizeof(struct csg_owned_instance) / sizeof(float);
+    size_t num = 0, floats = crowd->num_classes * own_size;
+    size_t texels = aligned(filler->frame->texels.num / 4);
+    count(filler);
+    for (size_t i = 0; i < crowd->num_classes; i++) {
+        struct class_plan *of = &filler->classes[i];
+        of->first = num;
+        of->instances = floats;
+        of->terms = texels;
+        if (of->num_owners)
+            texels = aligned(texels + of->num * csg_member_num_terms(&crowd->classes[i]) / 4);
+        of->blocks = texels;
+        texels += of->num * texels_of(&crowd->classes[i]);
+        num += of->num;
+        floats += of->num_rects * stride_of(&crowd->classes[i]);
+        if (!add_runs(filler, &crowd->classes[i], of, i * own_size))
             return false;
-        last = block->class;
-        out->runs.data[out->runs.num - 1].num += block->num;
-        filler->instances[i] = floats;
-        filler->texels[i] = texels;
-        floats += block->num * stride_of(class);
-        texels += block->num * texels_of(class);
     }
-    const size_t added = 4 * texels - filler->frame->texels.num;
+    for (size_t i = 0; i < filler->cull.blocks.num; i++) {
+        filler->first[i] += filler->classes[filler->cull.blocks.data[i].class].first;
+        filler->instances[i] += filler->classes[filler->cull.blocks.data[i].class].instances;
+    }
     if (!csg_array_reserve(&out->instances, floats + 1) ||
-        !csg_array_reserve(&filler->frame->texels, added))
+        !csg_array_reserve(&filler->frame->texels, 4 * texels - filler->frame->texels.num))
         return false;
-    if (added > 0)
-        memset(filler->frame->texels.data + filler->frame->texels.num, 0, added * sizeof(float));
-    filler->frame->texels.num += added;
+    filler->frame->texels.num = 4 * texels;
     out->instances.num = floats;
+    for (size_t i = 0; i < crowd->num_classes; i++)
+        put_owned(filler, &filler->classes[i], out->instances.data + i * own_size);
+    return true;
+}
+
+/* The picture of owners from the bottom row on, for the program that draws them. */
+static void put_owners(void *user, size_t task)
+{
+    const struct filler *filler = user;
+    const struct csg_owners *owners = &filler->cull.owners;
+    const int end = csg_band_begin(&filler->cull, task + 1);
+    for (int y = csg_band_begin(&filler->cull, task); y < end; y++) {
+        const uint32_t *who = owners->who + (size_t)y * owners->stride;
+        int32_t *out = filler->frame->crowd.owners.data + (size_t)y * (size_t)owners->width;
+        for (int x = 0; x < owners->width; x++)
+            out[x] = who[x] < CSG_SEVERAL ? filler->numbers[who[x]] : -1;
+    }
+}
+
+static bool fill_owners(struct filler *filler)
+{
+    struct csg_frame_crowd *out = &filler->frame->crowd;
+    const struct csg_screen *screen = &filler->frame->screen;
+    const size_t num = (size_t)screen->width * (size_t)screen->height;
+    if (filler->cull.owned.num == 0)
+        return true;
+    if (!csg_array_reserve(&out->owners, num))
+        return false;
+    out->owners.num = num;
+    csg_parallel(filler->frame->num_threads, CSG_NUM_BANDS, put_owners, filler);
+    filler->frame->proxy_pixels += filler->cull.owned.num;
+    filler->frame->solid_tests += filler->cull.owned.num;
     return true;
 }
 
@@ -189,19 +323,35 @@ static void count_singles(struct filler *filler)
             const struct csg_candidate *candidate = &cull->candidates[j];
             if (!cull->demoted[candidate->member])
                 csg_singles_note(singles, filler->scene,
-                                 cull->view.crowd->leaf[candidate->member], pixels_of(candidate));
+                                 cull->view.crowd->leaf[candidate->member],
+                                 candidate->by_rect ? pixels_of(candidate) : 0);
         }
     }
+}
+
+/* Each of these pixels is its owner's alone. */
+static void count_owned(struct filler *filler)
+{
+    const struct csg_cull *cull = &filler->cull;
+    const struct csg_owners *owners = &cull->owners;
+    struct csg_singles *singles = &filler->frame->singles;
+    for (int y = 0; y < owners->height && singles->is_wanted; y++)
+        for (int x = 0; x < owners->width; x++) {
+            const uint32_t who = owners->who[(size_t)y * owners->stride + (size_t)x];
+            if (who < CSG_SEVERAL)
+                csg_singles_add_pixel(singles, filler->scene, cull->view.crowd->leaf[who]);
+        }
 }
 
 static bool fill(struct filler *filler)
 {
     const size_t num = filler->cull.blocks.num;
-    filler->instances = malloc((3 * num + 1) * sizeof *filler->instances);
-    if (!filler->instances)
+    filler->first = malloc((3 * num + 1) * sizeof *filler->first);
+    filler->numbers = malloc((filler->cull.view.crowd->num + 1) * sizeof *filler->numbers);
+    if (!filler->first || !filler->numbers)
         return false;
-    filler->texels = filler->instances + num;
-    filler->pixels = filler->texels + num;
+    filler->instances = filler->first + num;
+    filler->pixels = filler->instances + num;
     if (!plan(filler))
         return false;
     csg_parallel(filler->frame->num_threads, num, fill_block, filler);
@@ -210,9 +360,10 @@ static bool fill(struct filler *filler)
         filler->frame->solid_tests += filler->pixels[i]; /* each has one solid */
     }
     filler->frame->crowd.together = filler->cull.together;
-    if (!demote_kin(filler))
+    if (!fill_owners(filler) || !demote_kin(filler))
         return false;
     count_singles(filler);
+    count_owned(filler);
     return list_objects(filler);
 }
 
@@ -221,10 +372,12 @@ bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
 {
     struct filler filler = {.cull.view = {.scene = scene, .crowd = scene->crowd, .frame = frame,
                                           .square = csg_screen_is_square(&frame->screen)},
+                            .cull.max_owners = params->max_owners,
                             .frame = frame, .scene = scene, .params = params};
-    frame->crowd.runs.num = frame->crowd.instances.num = 0;
+    frame->crowd.runs.num = frame->crowd.instances.num = frame->crowd.owners.num = 0;
     const bool ok = csg_cull_run(&filler.cull) && fill(&filler);
     csg_cull_finish(&filler.cull);
-    free(filler.instances);
+    free(filler.first);
+    free(filler.numbers);
     return ok;
 }

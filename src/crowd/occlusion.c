@@ -10,8 +10,11 @@
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
 
-/* Fewer are drawn sooner than compared. */
-enum { MIN_OCCLUDERS = 64 };
+/* Larger ones are drawn sooner by themselves: what they own is looked up pixel by pixel. */
+enum { MAX_OWNER_PIXELS = 256 };
+
+/* Fewer owners do not repay the picture of them. */
+enum { MIN_PICTURE_PER_OWNER = 256 };
 
 static const struct csg_screen *screen_of(const struct csg_cull *cull)
 {
@@ -72,6 +75,7 @@ struct drawing {
     struct csg_occluders occluders;
     struct csg_relief *reliefs;
     size_t num_reliefs;
+    struct csg_owned owned[CSG_NUM_BANDS]; /* of the first relief, where it has owners */
 };
 
 static bool may_show(const struct drawing *drawing, float key, const struct csg_pixels *pixels)
@@ -82,23 +86,38 @@ static bool may_show(const struct drawing *drawing, float key, const struct csg_
     return shows;
 }
 
+static size_t num_pixels(const struct csg_candidate *candidate)
+{
+    return (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
+           (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
+}
+
+/* Kin are told apart by the order in which they are drawn. */
+static uint32_t owner_of(const struct csg_cull *cull, const struct csg_candidate *candidate)
+{
+    const bool can_own = num_pixels(candidate) <= MAX_OWNER_PIXELS &&
+                         cull->view.crowd->kin[candidate->member] == CSG_CROWD_NO_KIN;
+    return can_own ? candidate->member : CSG_NOBODY;
+}
+
 /* What cannot be cast hides nothing and may show. */
 static void draw_occluder(const struct drawing *drawing, const struct csg_candidate *occluder,
                           const float *terms, const struct csg_pixels *pixels)
 {
     struct csg_cast cast;
     const bool can_cast = prepare(drawing->cull, drawing->reliefs, occluder, terms, &cast);
+    const uint32_t who = owner_of(drawing->cull, occluder);
     bool shows = !can_cast;
     for (size_t i = 0; i < drawing->num_reliefs && can_cast; i++)
-        shows = csg_relief_draw(&drawing->reliefs[i], &cast, pixels) || shows;
-    if (shows)
+        shows = csg_relief_draw(&drawing->reliefs[i], &cast, who, pixels) || shows;
+    if (shows && (!can_cast || !drawing->reliefs->owners || who == CSG_NOBODY))
         atomic_store_explicit(&drawing->cull->drawn[occluder->member], true, memory_order_relaxed);
 }
 
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
 {
-    const struct drawing *drawing = user;
+    struct drawing *drawing = user;
     const struct csg_occluders *occluders = &drawing->occluders;
     struct csg_cull *cull = drawing->cull;
     const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
@@ -111,6 +130,9 @@ static void draw_band(void *user, size_t task)
         if (may_show(drawing, occluder->key, &pixels))
             draw_occluder(drawing, occluder, terms_in(cull, occluder, begin, own), &pixels);
     }
+    if (drawing->reliefs->owners)
+        drawing->owned[task] = csg_owners_note(drawing->reliefs->owners, begin, end + 1,
+                                               drawing->reliefs->keys);
 }
 
 static bool note_drawn(struct csg_cull *cull)
@@ -119,42 +141,6 @@ static bool note_drawn(struct csg_cull *cull)
         cull->drawn = calloc(cull->view.crowd->num + 1, sizeof *cull->drawn);
     return cull->drawn != NULL;
 }
-
-bool csg_occlusion_draw(struct csg_cull *cull)
-{
-    struct drawing drawing = {.cull = cull, .reliefs = &cull->relief, .num_reliefs = 1};
-    if (!cull->view.square)
-        return true;
-    bool ok = csg_occluders_fill(&drawing.occluders, cull, true);
-    if (ok && drawing.occluders.num >= MIN_OCCLUDERS) {
-        cull->has_relief = true;
-        ok = note_drawn(cull) && csg_relief_init(&cull->relief, screen_of(cull),
-                                                 cull->view.frame->at, CSG_CAST_FRONT, NULL);
-        if (ok)
-            csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, &drawing);
-    }
-    csg_occluders_finish(&drawing.occluders);
-    return ok;
-}
-
-bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate)
-{
-    struct csg_pixels pixels = pixels_of(candidate);
-    struct csg_cast cast;
-    /* What was hidden when its turn came still is. */
-    if (csg_hides_others(cull, candidate) && !cull->drawn[candidate->member])
-        return false;
-    if (!csg_relief_may_show(&cull->relief, candidate->key, &pixels))
-        return false;
-    const float *terms = csg_cull_terms(cull, candidate->class, candidate->member);
-    if (!prepare(cull, &cull->relief, candidate, terms, &cast))
-        return true;
-    const bool shows = csg_relief_narrow(&cull->relief, &cast, &pixels);
-    set_pixels(candidate, &pixels);
-    return shows;
-}
-
-/* ---- translucent members ---- */
 
 static int smaller(int a, int b)
 {
@@ -166,6 +152,98 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
+/* Of all bands. */
+static struct csg_owned add_owned(const struct csg_owned bands[CSG_NUM_BANDS])
+{
+    struct csg_owned all = bands[0];
+    for (size_t i = 1; i < CSG_NUM_BANDS; i++) {
+        all.num += bands[i].num;
+        for (int j = 0; j < 2; j++) {
+            all.lo[j] = smaller(all.lo[j], bands[i].lo[j]);
+            all.hi[j] = larger(all.hi[j], bands[i].hi[j]);
+        }
+    }
+    return all;
+}
+
+static size_t count_owners(const struct csg_cull *cull)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < cull->blocks.num; i++) {
+        const struct csg_crowd_block *block = &cull->blocks.data[i];
+        for (size_t j = block->begin; j < block->begin + block->num; j++)
+            num += owner_of(cull, &cull->candidates[j]) != CSG_NOBODY;
+    }
+    return num;
+}
+
+static bool takes_owners(const struct csg_cull *cull)
+{
+    const size_t picture = (size_t)screen_of(cull)->width * (size_t)screen_of(cull)->height;
+    return picture <= cull->max_owners &&
+           count_owners(cull) >= picture / MIN_PICTURE_PER_OWNER;
+}
+
+static bool init_opaque(struct csg_cull *cull)
+{
+    const struct csg_screen *screen = screen_of(cull);
+    if (!note_drawn(cull) ||
+        !csg_relief_init(&cull->relief, screen, cull->view.frame->at, CSG_CAST_FRONT, NULL))
+        return false;
+    if (!takes_owners(cull))
+        return true;
+    cull->relief.owners = &cull->owners;
+    return csg_owners_init(&cull->owners, screen->width, screen->height, cull->view.crowd->num,
+                           cull->drawn);
+}
+
+bool csg_occlusion_draw(struct csg_cull *cull)
+{
+    struct drawing drawing = {.cull = cull, .reliefs = &cull->relief, .num_reliefs = 1};
+    if (!cull->view.square)
+        return true;
+    bool ok = csg_occluders_fill(&drawing.occluders, cull, true);
+    if (ok && drawing.occluders.num >= CSG_MIN_OCCLUDERS) {
+        cull->has_relief = true;
+        ok = init_opaque(cull);
+        if (ok)
+            csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, &drawing);
+        if (ok && cull->relief.owners)
+            cull->owned = add_owned(drawing.owned);
+    }
+    csg_occluders_finish(&drawing.occluders);
+    return ok;
+}
+
+/* Whether it may show at a pixel that it does not own. */
+static bool shows_by_rect(struct csg_cull *cull, struct csg_candidate *candidate)
+{
+    const bool opaque = csg_hides_others(cull, candidate);
+    struct csg_pixels pixels = pixels_of(candidate);
+    struct csg_cast cast;
+    /* What was hidden when its turn came still is. */
+    if (opaque && !cull->drawn[candidate->member])
+        return false;
+    if (!csg_relief_may_show(&cull->relief, candidate->key, &pixels))
+        return false;
+    const float *terms = csg_cull_terms(cull, candidate->class, candidate->member);
+    if (!prepare(cull, &cull->relief, candidate, terms, &cast))
+        return true;
+    const bool rivals = opaque && cull->relief.owners && owner_of(cull, candidate) != CSG_NOBODY;
+    const bool shows = csg_relief_narrow(&cull->relief, &cast, rivals, &pixels);
+    set_pixels(candidate, &pixels);
+    return shows;
+}
+
+bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate)
+{
+    candidate->owns = cull->relief.owners && cull->owners.owns[candidate->member];
+    candidate->by_rect = shows_by_rect(cull, candidate);
+    return candidate->by_rect || candidate->owns;
+}
+
+/* ---- translucent members ---- */
+
 /* Whether it may show on either relief; narrows its rectangle to where. */
 static bool shows_on_any(const struct drawing *drawing, struct csg_candidate *candidate)
 {
@@ -176,7 +254,7 @@ static bool shows_on_any(const struct drawing *drawing, struct csg_candidate *ca
     struct csg_pixels all = {{INT16_MAX, INT16_MAX}, {-1, -1}};
     for (size_t i = 0; i < drawing->num_reliefs; i++) {
         struct csg_pixels pixels = pixels_of(candidate);
-        if (!csg_relief_narrow(&drawing->reliefs[i], &cast, &pixels))
+        if (!csg_relief_narrow(&drawing->reliefs[i], &cast, false, &pixels))
             continue;
         for (int j = 0; j < 2; j++) {
             all.lo[j] = smaller(all.lo[j], pixels.lo[j]);

@@ -13,8 +13,8 @@ float csg_occlusion_near(const struct csg_screen *screen, double t);
  * memory. */
 bool csg_occlusion_draw(struct csg_cull *cull);
 
-/* Whether a candidate may show at some pixel, behind those of cull->relief; narrows its rectangle
- * to those. */
+/* Whether a candidate may show at some pixel, behind those of cull->relief, and how it is drawn
+ * then; narrows its rectangle to those where it is drawn by itself. */
 bool csg_occlusion_shows(struct csg_cull *cull, struct csg_candidate *candidate);
 
 /*

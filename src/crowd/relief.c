@@ -247,6 +247,21 @@ static bool draw_part(const struct csg_relief *relief, const struct csg_cast *ca
     return changed;
 }
 
+/* Whether it may show. */
+static bool contend_part(const struct csg_relief *relief, const struct csg_cast *cast, uint32_t who,
+                         const struct csg_pixels *pixels)
+{
+    bool shows = false;
+    const struct csg_cast_rect rect = csg_relief_offsets(relief, pixels);
+    for (int y = pixels->lo[1]; y <= pixels->hi[1]; y++)
+        for (int x = pixels->lo[0]; x <= pixels->hi[0]; x += CSG_CAST_LANES)
+            shows |= csg_owners_contend(relief->owners, cast, who, x, y,
+                                        rect.lo[0] + (float)(x - pixels->lo[0]),
+                                        rect.lo[1] + (float)(y - pixels->lo[1]),
+                                        lanes_left(pixels, x), keys_at(relief, x, y));
+    return shows;
+}
+
 static int lowest(unsigned set)
 {
     int i = 0;
@@ -263,17 +278,20 @@ static int highest(unsigned set)
     return i;
 }
 
-/* Widens shown by the pixels at which it may show. */
-static void find_shown(const struct csg_relief *relief, const struct csg_cast *cast,
+/* Widens shown by the pixels at which it may show, of all or of the contested ones. */
+static void find_shown(const struct csg_relief *relief, const struct csg_cast *cast, bool contested,
                        const struct csg_pixels *pixels, struct csg_pixels *shown)
 {
     const struct csg_cast_rect rect = csg_relief_offsets(relief, pixels);
     for (int y = pixels->lo[1]; y <= pixels->hi[1]; y++)
         for (int x = pixels->lo[0]; x <= pixels->hi[0]; x += CSG_CAST_LANES) {
-            const unsigned shows = csg_cast_shows(
-                cast, relief->side, rect.lo[0] + (float)(x - pixels->lo[0]),
-                rect.lo[1] + (float)(y - pixels->lo[1]), lanes_left(pixels, x),
-                keys_at(relief, x, y));
+            const int num = lanes_left(pixels, x);
+            unsigned shows = contested ? csg_owners_contested(relief->owners, x, y, num) : ~0u;
+            if (shows)
+                shows &= csg_cast_shows(cast, relief->side,
+                                        rect.lo[0] + (float)(x - pixels->lo[0]),
+                                        rect.lo[1] + (float)(y - pixels->lo[1]), num,
+                                        keys_at(relief, x, y));
             if (!shows)
                 continue;
             const int lo = x + lowest(shows), hi = x + highest(shows);
@@ -286,36 +304,41 @@ static void find_shown(const struct csg_relief *relief, const struct csg_cast *c
 
 static const struct csg_pixels no_pixels = {{INT_MAX, INT_MAX}, {-1, -1}};
 
-bool csg_relief_draw(struct csg_relief *relief, const struct csg_cast *cast,
+bool csg_relief_draw(struct csg_relief *relief, const struct csg_cast *cast, uint32_t who,
                      const struct csg_pixels *pixels)
 {
     struct part part;
     bool shows = false;
+    const bool contends = relief->owners && who != CSG_NOBODY;
     for (bool more = start(relief, pixels, &part); more; more = next(relief, pixels, &part)) {
         if (is_hidden(relief, cast, &part))
             continue;
-        if (draw_part(relief, cast, &part.pixels)) {
+        const bool changed = contends ? contend_part(relief, cast, who, &part.pixels)
+                                      : draw_part(relief, cast, &part.pixels);
+        if (changed) {
             note(relief, &part);
             shows = true;
+        } else if (contends) {
+            continue;
         } else if (!part.square) {
             shows = true; /* whether it does is found out once, by csg_relief_narrow */
         } else if (!shows) {
             struct csg_pixels shown = no_pixels;
-            find_shown(relief, cast, &part.pixels, &shown);
+            find_shown(relief, cast, false, &part.pixels, &shown);
             shows = shown.hi[1] >= 0;
         }
     }
     return shows;
 }
 
-bool csg_relief_narrow(const struct csg_relief *relief, const struct csg_cast *cast,
+bool csg_relief_narrow(const struct csg_relief *relief, const struct csg_cast *cast, bool contested,
                        struct csg_pixels *pixels)
 {
     struct csg_pixels shown = no_pixels;
     struct part part;
     for (bool more = start(relief, pixels, &part); more; more = next(relief, pixels, &part))
         if (!is_hidden(relief, cast, &part))
-            find_shown(relief, cast, &part.pixels, &shown);
+            find_shown(relief, cast, contested, &part.pixels, &shown);
     *pixels = shown;
     return shown.hi[1] >= 0;
 }

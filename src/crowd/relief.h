@@ -9,7 +9,7 @@
  * are compared with squares first, and with pixels only where that does not tell.
  */
 
-#include "crowd/cast.h"
+#include "crowd/owners.h"
 
 #define CSG_RELIEF_SQUARE 16 /* pixels a side */
 
@@ -34,6 +34,7 @@ struct csg_relief {
     float *keys;
     struct csg_square *squares;
     size_t num_squares_x, num_squares_y;
+    struct csg_owners *owners; /* who shows, of near sides; NULL: that is not asked */
 };
 
 /* base: what hides besides; NULL: nothing does. false: out of memory. */
@@ -49,13 +50,14 @@ struct csg_cast_rect csg_relief_offsets(const struct csg_relief *relief,
 bool csg_relief_may_show(const struct csg_relief *relief, float key,
                          const struct csg_pixels *pixels);
 
-/* Draws the member's part within the pixels; only one thread may draw in a square at a time. false:
- * all of that is hidden. */
-bool csg_relief_draw(struct csg_relief *relief, const struct csg_cast *cast,
+/* Draws the member's part within the pixels; only one thread may draw in a square at a time. who:
+ * the member, where it may own pixels, or CSG_NOBODY. false: all of that is hidden. */
+bool csg_relief_draw(struct csg_relief *relief, const struct csg_cast *cast, uint32_t who,
                      const struct csg_pixels *pixels);
 
-/* Narrows pixels to those at which the member may show. false: there is none. */
-bool csg_relief_narrow(const struct csg_relief *relief, const struct csg_cast *cast,
+/* Narrows pixels to those at which the member may show, of all or of those at which others may, too.
+ * false: there is none. */
+bool csg_relief_narrow(const struct csg_relief *relief, const struct csg_cast *cast, bool contested,
                        struct csg_pixels *pixels);
 
 #endif

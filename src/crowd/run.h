@@ -19,14 +19,29 @@
 struct csg_crowd_run {
     bool ball; /* the terms are csg_screen_ball's */
     bool has_quadric;
+    bool owned; /* one instance for all: struct csg_owned_instance */
     uint32_t num_planes;
     size_t first, stride; /* in floats */
     size_t num;           /* instances */
+    size_t num_members;   /* that are drawn in no other run */
+};
+
+/*
+ * Members of a class where they own pixels (crowd/owners.h): the picture of owners has their
+ * numbers. In the data texture their terms follow each other in the order of these, and so do their
+ * attribute blocks.
+ */
+struct csg_owned_instance {
+    float rect[4]; /* around such pixels, in clip space */
+    int32_t begin, end; /* numbers */
+    int32_t terms, blocks; /* places of the first one's */
+    int32_t width; /* of the picture */
 };
 
 struct csg_frame_crowd {
     CSG_ARRAY(float) instances;
     CSG_ARRAY(struct csg_crowd_run) runs;
+    CSG_ARRAY(int32_t) owners; /* per pixel the number of its owner, or -1; empty: there are none */
     bool together; /* translucent members were left out as if all overlays are drawn together */
 };
 

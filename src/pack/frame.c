@@ -230,7 +230,7 @@ static bool is_too_fine(const struct packer *packer, uint8_t layer)
     const struct csg_frame *frame = packer->frame;
     size_t num = 0, zoomed = 0;
     for (size_t i = 0; i < frame->crowd.runs.num && layer == CSG_LAYER_MODEL; i++)
-        num += frame->crowd.runs.data[i].num;
+        num += frame->crowd.runs.data[i].num_members;
     for (size_t i = 0; i < frame->listed.num; i++) {
         const uint32_t index = frame->listed.data[i];
         const struct csg_object *object = &packer->scene->objects->data[index];
@@ -259,7 +259,7 @@ static bool add_layer(struct packer *packer, uint8_t layer)
                                          .end = (uint32_t)packer->scene->trees[layer].num,
                                          .box = csg_box_all};
         if (layer == CSG_LAYER_MODEL)
-            packer->frame->crowd.runs.num = 0;
+            packer->frame->crowd.runs.num = packer->frame->crowd.owners.num = 0;
         return add_object(packer, &whole, CSG_WHOLE_LAYER);
     }
     for (size_t i = 0; i < frame->listed.num; i++) {
@@ -297,6 +297,7 @@ static bool list_objects(struct csg_frame *frame, const struct csgcast_scene *sc
 {
     const uint32_t num = (uint32_t)scene->objects->num;
     frame->crowd.runs.num = frame->listed.num = 0;
+    frame->crowd.owners.num = 0;
     frame->crowd.together = false;
     if (params->crowds)
         return csg_crowd_fill(frame, scene, params);
@@ -370,6 +371,7 @@ void csg_frame_finish(struct csg_frame *frame)
     free(frame->precisions.data);
     free(frame->crowd.instances.data);
     free(frame->crowd.runs.data);
+    free(frame->crowd.owners.data);
     free(frame->listed.data);
     csg_singles_finish(&frame->singles);
     *frame = (struct csg_frame){0};

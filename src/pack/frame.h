@@ -84,7 +84,8 @@ struct csg_frame_params {
                         size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
     enum csg_cells_use cells; /* what is drawn in cells */
-    bool crowds;     /* single solids are drawn as crowd/crowd.h has them */
+    bool crowds;     /* single solids are drawn as crowd/crowd.h has them, */
+    size_t max_owners; /* ... with a picture of owners of at most so many pixels */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

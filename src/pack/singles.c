@@ -32,6 +32,12 @@ void csg_singles_note(struct csg_singles *singles, const struct csgcast_scene *s
     singles->proxy_pixels[kind] += num_pixels;
 }
 
+void csg_singles_add_pixel(struct csg_singles *singles, const struct csgcast_scene *scene,
+                           uint32_t leaf)
+{
+    singles->proxy_pixels[scene->leaves[leaf].kind]++;
+}
+
 void csg_singles_count(const struct csg_singles *singles, const struct csgcast_scene *scene,
                        const float *ids, size_t num_pixels, struct csgcast_stats *stats)
 {

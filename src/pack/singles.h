@@ -21,6 +21,10 @@ void csg_singles_finish(struct csg_singles *singles);
 void csg_singles_note(struct csg_singles *singles, const struct csgcast_scene *scene, uint32_t leaf,
                       size_t num_pixels);
 
+/* One more pixel of a leaf that was noted. */
+void csg_singles_add_pixel(struct csg_singles *singles, const struct csgcast_scene *scene,
+                           uint32_t leaf);
+
 /* Fills single_kinds of stats; ids: num_pixels leaf numbers of the picture, -1 for none. */
 void csg_singles_count(const struct csg_singles *singles, const struct csgcast_scene *scene,
                        const float *ids, size_t num_pixels, struct csgcast_stats *stats);

@@ -56,7 +56,7 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
             return false;
         if (!csg_array_push(batches, batch))
             return csg_log_memory(&renderer->log);
-        batches->drawn_single += run->num;
+        batches->drawn_single += run->num_members;
     }
     return true;
 }

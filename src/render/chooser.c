@@ -385,6 +385,16 @@ bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }
 
+/* The programs of instances and of owned pixels. */
+static bool prepare_run(struct csg_chooser *chooser, struct csg_crowd_run run)
+{
+    struct csg_programs *programs = &chooser->renderer->programs;
+    const bool ok = csg_programs_get(programs, csg_source_single(&run, chooser->direct));
+    run.owned = true;
+    return ok && (chooser->request->scene->objects->num < CSG_MIN_OCCLUDERS ||
+                  csg_programs_get(programs, csg_source_single(&run, chooser->direct)));
+}
+
 /* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
 static bool prepare_single(struct csg_chooser *chooser, uint32_t object,
                            bool seen[2][CSG_CROWD_MAX_PLANES + 1])
@@ -401,9 +411,7 @@ static bool prepare_single(struct csg_chooser *chooser, uint32_t object,
                                       .num_planes = (uint32_t)shape->num_planes};
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
     ball.ball = run.has_quadric && run.num_planes == 0;
-    struct csg_programs *programs = &chooser->renderer->programs;
-    return csg_programs_get(programs, csg_source_single(&run, chooser->direct)) &&
-           csg_programs_get(programs, csg_source_single(&ball, chooser->direct)) &&
+    return prepare_run(chooser, run) && prepare_run(chooser, ball) &&
            (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
             choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
 }

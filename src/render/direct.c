@@ -41,7 +41,7 @@ static size_t count_crowd(const struct csg_frame *frame)
 {
     size_t num = 0;
     for (size_t i = 0; i < frame->crowd.runs.num; i++)
-        num += frame->crowd.runs.data[i].num;
+        num += frame->crowd.runs.data[i].num_members;
     return num;
 }
 
@@ -65,7 +65,9 @@ static bool is_thin(const struct csg_frame *frame, const struct csg_request *req
     csg_bound_draws(frame, rect);
     const double width = 0.5 * ((double)rect[2] - (double)rect[0]) * request->width;
     const double height = 0.5 * ((double)rect[3] - (double)rect[1]) * request->height;
-    const size_t num = count_crowd(frame) + frame->draws.num;
+    size_t num = frame->draws.num;
+    for (size_t i = 0; i < frame->crowd.runs.num; i++)
+        num += frame->crowd.runs.data[i].num;
     return (double)(frame->proxy_pixels + EDGE_FRAGMENTS * num) <= MAX_LIT * width * height;
 }
 

@@ -38,6 +38,7 @@ void csg_inputs_set(const struct csg_picture *picture, GLuint program)
     gl->Uniform1i(at->data, 0);
     gl->Uniform1i(at->visible, 1);
     gl->Uniform1i(at->cells, CSG_CELLS_UNIT);
+    gl->Uniform1i(at->owners, CSG_OWNERS_UNIT);
     gl->Uniform2f(at->window, 0, (float)picture->first_row);
     gl->Uniform2f(at->at, (float)picture->renderer->frame.at.x,
                   (float)picture->renderer->frame.at.y);
@@ -94,6 +95,23 @@ static void point_crowd(struct csg_gl *gl, const struct csg_crowd_run *run)
     }
 }
 
+/* Of all members that own pixels, see crowd/run.h. */
+static void point_owned(struct csg_gl *gl, const struct csg_crowd_run *run)
+{
+    const GLsizei stride = (GLsizei)sizeof(struct csg_owned_instance);
+    const size_t base = run->first * sizeof(float);
+    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride,
+                            (const void *)(base + offsetof(struct csg_owned_instance, rect)));
+    gl->VertexAttribIPointer(1, 4, GL_INT, stride,
+                             (const void *)(base + offsetof(struct csg_owned_instance, begin)));
+    gl->VertexAttribIPointer(2, 1, GL_INT, stride,
+                             (const void *)(base + offsetof(struct csg_owned_instance, width)));
+    for (GLuint i = 0; i < 3; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
+}
+
 void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch)
 {
     struct csg_gl *gl = picture->gl;
@@ -101,7 +119,9 @@ void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *
     gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER,
                    batch->run ? renderer->crowd_buffer.id : renderer->instance_buffer.id);
-    if (batch->run)
+    if (batch->run && batch->run->owned)
+        point_owned(gl, batch->run);
+    else if (batch->run)
         point_crowd(gl, batch->run);
     else
         point_instances(gl, batch->first, batch->points);

@@ -287,6 +287,8 @@ static bool draw_bands(struct csg_picture *picture)
     bool ok = (pixels || picture->bytes) && (picture->visible || !marks);
     if (!ok)
         csg_log_memory(&picture->renderer->log);
+    picture->gl->ActiveTexture(GL_TEXTURE0 + CSG_OWNERS_UNIT);
+    picture->gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->owners_texture);
     picture->gl->ActiveTexture(GL_TEXTURE0 + CSG_CELLS_UNIT);
     picture->gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->cells.texture);
     picture->gl->ActiveTexture(GL_TEXTURE0);
@@ -339,6 +341,13 @@ static bool has_crowds(const struct csg_request *request)
            (!request->shared || request->scene->objects->num >= MIN_SHARED_CROWD);
 }
 
+static size_t max_owners(struct csg_gl *gl)
+{
+    GLint num = 0;
+    gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &num);
+    return num > 0 ? (size_t)num : 0;
+}
+
 static enum csg_cells_use choose_cells(const struct csg_request *request)
 {
     if (request->resolver == CSG_RESOLVER_CELLS)
@@ -364,6 +373,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .leaves = request->image->id != NULL,
         .has_double = renderer->gl->has_double,
         .crowds = has_crowds(request),
+        .max_owners = max_owners(renderer->gl),
         .tile_size = request->tile_size,
         .cells = choose_cells(request),
     };

@@ -84,6 +84,7 @@ static struct csg_uniforms find_uniforms(const struct csg_gl *gl, GLuint id)
     return (struct csg_uniforms){
         .data = gl->GetUniformLocation(id, "csg_data"),
         .cells = gl->GetUniformLocation(id, "csg_cells"),
+        .owners = gl->GetUniformLocation(id, "csg_owners"),
         .window = gl->GetUniformLocation(id, "csg_window"),
         .at = gl->GetUniformLocation(id, "csg_at"),
         .screen_depth = gl->GetUniformLocation(id, "csg_view_depth"),

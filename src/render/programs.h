@@ -9,7 +9,7 @@
 
 /* Where a program's uniforms are; -1: it has no such. */
 struct csg_uniforms {
-    GLint data, cells, window, at, screen_depth, screen_key, depth_bias, visible, light;
+    GLint data, cells, owners, window, at, screen_depth, screen_key, depth_bias, visible, light;
 };
 
 struct csg_compiled {

@@ -60,6 +60,8 @@ static void finish_gl(struct csgcast_renderer *renderer)
         csg_cells_drop(renderer);
         gl->DeleteTextures(1, &renderer->data_texture);
         gl->DeleteBuffers(1, &renderer->data_buffer.id);
+        gl->DeleteTextures(1, &renderer->owners_texture);
+        gl->DeleteBuffers(1, &renderer->owners_buffer.id);
         gl->DeleteBuffers(1, &renderer->instance_buffer.id);
         gl->DeleteBuffers(1, &renderer->crowd_buffer.id);
         gl->DeleteVertexArrays(1, &renderer->crowd_array);

@@ -9,7 +9,7 @@
 struct csg_start;
 
 /* Texture units: 0 the frame's texels, 1 what the geometry pass has found, */
-enum { CSG_CELLS_UNIT = 2 };
+enum { CSG_CELLS_UNIT = 2, CSG_OWNERS_UNIT };
 
 /* One of the driver's, and its size. */
 struct csg_buffer {
@@ -33,6 +33,8 @@ struct csgcast_renderer {
     struct csg_targets targets;
     GLuint data_texture;
     struct csg_buffer data_buffer; /* its texels */
+    GLuint owners_texture; /* a crowd's owners of pixels */
+    struct csg_buffer owners_buffer;
     struct csg_resident_cells cells;
     int num_threads; /* see csg_parallel */
     int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */

@@ -28,6 +28,8 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
         return;
     gl->GenTextures(1, &renderer->data_texture);
     gl->GenBuffers(1, &renderer->data_buffer.id);
+    gl->GenTextures(1, &renderer->owners_texture);
+    gl->GenBuffers(1, &renderer->owners_buffer.id);
     gl->GenBuffers(1, &renderer->instance_buffer.id);
     gl->GenBuffers(1, &renderer->crowd_buffer.id);
     gl->GenVertexArrays(1, &renderer->vertex_array);
@@ -79,6 +81,22 @@ static bool upload_instances(struct csgcast_renderer *renderer)
     return true;
 }
 
+static void upload_owners(struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
+    const size_t bytes = crowd->owners.num * sizeof *crowd->owners.data;
+    if (!bytes)
+        return;
+    fill_buffer(gl, GL_TEXTURE_BUFFER, &renderer->owners_buffer, bytes, crowd->owners.data);
+    gl->ActiveTexture(GL_TEXTURE0 + CSG_OWNERS_UNIT);
+    gl->BindTexture(GL_TEXTURE_BUFFER, renderer->owners_texture);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32I, renderer->owners_buffer.id);
+    gl->ActiveTexture(GL_TEXTURE0);
+    renderer->stats.texture_bytes += bytes;
+    renderer->stats.bytes_uploaded += bytes;
+}
+
 bool csg_upload_frame(struct csgcast_renderer *renderer)
 {
     const double start = csg_clock_ms();
@@ -86,6 +104,7 @@ bool csg_upload_frame(struct csgcast_renderer *renderer)
     size_t cells = 0;
     const bool ok = upload_data(renderer) && upload_instances(renderer) &&
                     csg_cells_upload(renderer, &cells);
+    upload_owners(renderer);
     renderer->stats.texture_bytes += renderer->frame.cells.num ? renderer->cells.buffer.bytes : 0;
     renderer->stats.bytes_uploaded += cells;
     renderer->stats.upload_ms = csg_clock_ms() - start;

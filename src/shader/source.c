@@ -292,8 +292,11 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct
         csg_text_add(&fragment, "#define CSG_HAS_QUADRIC\n");
     if (run->ball)
         csg_text_add(&fragment, "#define CSG_IS_BALL\n");
+    if (run->owned)
+        csg_text_add(&fragment, "#define CSG_OWNED\n#define CSG_MEMBER_BLOCK %d\n",
+                     CSG_BLOCK_TEXELS((int)run->has_quadric, (int)run->num_planes));
     add_file(&vertex, "common/screen.vert.glsl");
-    add_file(&vertex, "passes/single.vert.glsl");
+    add_file(&vertex, run->owned ? "passes/owned.vert.glsl" : "passes/single.vert.glsl");
     add_file(&fragment, "common/data.glsl");
     add_file(&fragment, "common/real.glsl");
     add_file(&fragment, "common/screen.glsl");
