@@ -17,7 +17,8 @@ set_target_properties(csgcast_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
 csgcast_strict(csgcast_objects)
 # Loops over pixels without branches: vectors need a root that sets no errno and compares that do
 # not trap.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c
+    ${PROJECT_SOURCE_DIR}/src/crowd/balls.c PROPERTIES
     COMPILE_OPTIONS "-ftree-vectorize;-fno-math-errno;-fno-trapping-math")
 
 # Convex hulls: hull() and minkowski() say so where Qhull is missing.

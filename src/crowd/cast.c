@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "common/layout.glsl"
+#include "common/wide.h"
 
 /* Bound of the rounding of a term of a few float operations, as a share of its largest part. */
 #define ROUNDING 5e-7f
@@ -68,18 +69,7 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
     return worst < CSG_KEY_MAX;
 }
 
-/* ---- a row: loops of fixed length without branches, for the compiler to make vectors of ---- */
-
-/* Twice as wide where the processor has them; the choice is made when the library is loaded, which
- * the sanitizers do not bear. Static: gcc exports clones of what is not. */
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&   \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define WIDE static __attribute__((target_clones("avx2", "default")))
-#define PART static inline __attribute__((always_inline))
-#else
-#define WIDE static
-#define PART static
-#endif
+/* ---- a row ---- */
 
 /* Bounds of where a ray enters and leaves. */
 struct spans {

@@ -5,12 +5,28 @@
 #include <string.h>
 
 #include "common/parallel.h"
+#include "crowd/balls.h"
 #include "crowd/occlusion.h"
 #include "crowd/project.h"
 #include "pack/ball.h"
 #include "pack/precision.h"
 
 enum verdict { DROPPED, SEEN, DEMOTED };
+
+/* Of what covers pixels, from depth begin on. */
+static enum verdict judge(const struct csg_cull *cull, const struct csg_footprint *print,
+                          double begin, struct csg_candidate *out)
+{
+    const struct csg_crowd *crowd = cull->view.crowd;
+    const double range[2] = {begin, begin + 2 * crowd->radius[out->member]};
+    if (!cull->all_in_float && !csg_precision_suffices(&cull->view.frame->screen, range,
+                                                       (double)crowd->need[out->member]))
+        return DEMOTED;
+    memcpy(out->lo, print->lo, sizeof out->lo);
+    memcpy(out->hi, print->hi, sizeof out->hi);
+    out->key = csg_occlusion_near(&cull->view.frame->screen, print->near);
+    return SEEN;
+}
 
 static enum verdict look_at(const struct csg_cull *cull, const struct csg_camera *camera,
                             const struct csg_crowd_class *class, struct csg_candidate *out)
@@ -32,14 +48,48 @@ static enum verdict look_at(const struct csg_cull *cull, const struct csg_camera
     }
     if (!csg_outline_project(camera, class->outline, numbers, &ball, &print))
         return DROPPED;
-    const double range[2] = {t - r, t + r};
-    if (!cull->all_in_float &&
-        !csg_precision_suffices(&cull->view.frame->screen, range, (double)crowd->need[i]))
-        return DEMOTED;
-    memcpy(out->lo, print.lo, sizeof out->lo);
-    memcpy(out->hi, print.hi, sizeof out->hi);
-    out->key = csg_occlusion_near(&cull->view.frame->screen, print.near);
-    return SEEN;
+    return judge(cull, &print, t - r, out);
+}
+
+static void look_at_member(struct csg_cull *cull, const struct csg_camera *camera,
+                           struct csg_crowd_block *block, uint32_t member,
+                           const struct csg_footprint *known)
+{
+    const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
+    struct csg_candidate *candidate = &cull->candidates[block->begin + block->num];
+    candidate->member = member;
+    candidate->class = (uint16_t)block->class;
+    candidate->by_rect = true;
+    candidate->owns = false;
+    const enum verdict verdict =
+        known ? judge(cull, known, known->near, candidate) : look_at(cull, camera, class, candidate);
+    cull->demoted[member] = verdict == DEMOTED;
+    if (verdict != SEEN)
+        return;
+    block->num++;
+    block->lo_key = candidate->key < block->lo_key ? candidate->key : block->lo_key;
+    block->hi_key = candidate->key > block->hi_key ? candidate->key : block->hi_key;
+}
+
+/* At most CSG_BALLS_MAX. */
+static void look_at_balls(struct csg_cull *cull, const struct csg_camera *camera,
+                          struct csg_crowd_block *block, uint32_t begin, uint32_t end)
+{
+    const struct csg_crowd *crowd = cull->view.crowd;
+    struct csg_ball_prints prints;
+    csg_balls_project(camera, crowd->x + begin, crowd->y + begin, crowd->z + begin,
+                      crowd->radius + begin, end - begin, &prints);
+    for (uint32_t i = 0; i < end - begin; i++) {
+        const int32_t lo[2] = {prints.lo[0][i], prints.lo[1][i]};
+        const int32_t hi[2] = {prints.hi[0][i], prints.hi[1][i]};
+        const struct csg_footprint print = {{(int16_t)lo[0], (int16_t)lo[1]},
+                                            {(int16_t)hi[0], (int16_t)hi[1]},
+                                            prints.near[i]};
+        if (prints.plain[i] && (lo[0] > hi[0] || lo[1] > hi[1]))
+            cull->demoted[begin + i] = false; /* it covers no pixel */
+        else
+            look_at_member(cull, camera, block, begin + i, prints.plain[i] ? &print : NULL);
+    }
 }
 
 static void look_at_block(void *user, size_t task)
@@ -47,24 +97,16 @@ static void look_at_block(void *user, size_t task)
     struct csg_cull *cull = user;
     const struct csg_camera camera = csg_camera_of(&cull->view.frame->screen);
     struct csg_crowd_block *block = &cull->blocks.data[task];
-    const struct csg_crowd_class *class = &cull->view.crowd->classes[block->class];
+    const bool balls = cull->view.crowd->classes[block->class].outline == CSG_OUTLINE_BALL;
+    const uint32_t step = balls ? CSG_BALLS_MAX : 1;
     block->num = 0;
     block->lo_key = INFINITY;
     block->hi_key = -INFINITY;
-    for (uint32_t i = block->begin; i < block->end; i++) {
-        struct csg_candidate *candidate = &cull->candidates[block->begin + block->num];
-        candidate->member = i;
-        candidate->class = (uint16_t)block->class;
-        candidate->by_rect = true;
-        candidate->owns = false;
-        const enum verdict verdict = look_at(cull, &camera, class, candidate);
-        cull->demoted[i] = verdict == DEMOTED;
-        if (verdict != SEEN)
-            continue;
-        block->num++;
-        block->lo_key = candidate->key < block->lo_key ? candidate->key : block->lo_key;
-        block->hi_key = candidate->key > block->hi_key ? candidate->key : block->hi_key;
-    }
+    for (uint32_t i = block->begin; i < block->end; i += step)
+        if (balls)
+            look_at_balls(cull, &camera, block, i, i + step < block->end ? i + step : block->end);
+        else
+            look_at_member(cull, &camera, block, i, NULL);
 }
 
 static void hide_block(void *user, size_t task)

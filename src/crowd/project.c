@@ -12,9 +12,6 @@
 
 #include "crowd/project.h"
 
-/* Part of a pixel by which bounds grow: rounding, here and in the vertex stage. */
-#define MARGIN 0.01
-
 struct csg_camera csg_camera_of(const struct csg_screen *screen)
 {
     const bool flat = screen->orthographic;
@@ -168,8 +165,8 @@ static void reach_ball(bool orthographic, const struct csg_seen_ball *ball, stru
 /* The pixels whose centres lie between; false: none. */
 static bool pixel_range(double lo, double hi, double size, int16_t *first, int16_t *last)
 {
-    lo -= 0.5 + MARGIN;
-    hi -= 0.5 - MARGIN;
+    lo -= 0.5 + CSG_OUTLINE_MARGIN;
+    hi -= 0.5 - CSG_OUTLINE_MARGIN;
     if (!(lo <= size - 1) || !(hi >= 0))
         return false;
     lo = lo > 0 ? lo : 0;

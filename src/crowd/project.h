@@ -7,6 +7,9 @@
 #include "crowd/outline.h"
 #include "pack/screen.h"
 
+/* Part of a pixel by which bounds grow: rounding, here and in the vertex stage. */
+#define CSG_OUTLINE_MARGIN 0.01
+
 /* A point's c = p - origin has the pixel (c.axis / t) scale - shift in perspective. */
 struct csg_camera {
     struct csg_vec3 origin, axis[2], forward;

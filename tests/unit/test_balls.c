@@ -1,117 +1,92 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Hulls of balls against what a convex hull is: it has all points between points of the balls, and
- * none beyond a plane that all balls are below.
+ * Balls by the row cover the pixels that they cover one by one, from near and far and in parallel;
+ * which are too close to the eye for that is said of each.
  */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "check.h"
-#include "plane/balls.h"
+#include "crowd/balls.h"
+#include "pack/ball.h"
 
-enum { max_balls = 12, num_points = 2000, num_directions = 300 };
+enum { num_rows = 300, width = 640, height = 200 };
 
-static unsigned long long state;
+static unsigned long long state = 5;
 
-static double random_unit(void)
+static double between(double lo, double hi)
 {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(state >> 11) / 9007199254740992.0;
+    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
 }
 
-static struct csg_vec3 random_direction(void)
+static struct csg_screen random_screen(void)
 {
-    const double z = 2 * random_unit() - 1, angle = 6.283185307179586 * random_unit();
-    const double r = sqrt(1 - z * z);
-    return csg_vec3(r * cos(angle), r * sin(angle), z);
+    const bool orthographic = between(0, 1) < 0.3;
+    const double half = orthographic ? between(1, 9) : between(0.1, 1);
+    const struct csgcast_frustum frustum = {.eye = {between(-2, 2), -10, between(-2, 2)},
+                                            .right = {1, 0, 0},
+                                            .up = {0, 0, 1},
+                                            .forward = {0, 1, 0},
+                                            .half_width = half,
+                                            .half_height = half * height / width,
+                                            .orthographic = orthographic};
+    const struct csg_box box = {{-5, -5, -5}, {5, 5, 5}};
+    struct csg_screen screen;
+    csg_screen_init(&screen, &frustum, width, height, &box, true);
+    return screen;
 }
 
-static bool is_inside(const struct csg_part *part, struct csg_vec3 p)
+static bool is_plain(const struct csg_screen *screen, const struct csg_seen_ball *ball)
 {
-    for (size_t i = 0; i < part->shapes.num; i++)
-        if (csg_shape_contains(&part->shapes.data[i], p))
-            return true;
-    return false;
+    const double square = ball->c[0] * ball->c[0] + ball->c[1] * ball->c[1] + ball->t * ball->t;
+    return screen->orthographic ||
+           (ball->t > CSG_BALL_FRONT * ball->radius && sqrt(square) >= CSG_BALL_NEAR * ball->radius);
 }
 
-/* The furthest point in that direction. */
-static struct csg_vec3 support(const struct csg_ball *balls, size_t num, struct csg_vec3 n)
+/* Whether it covers a pixel. */
+static bool check_ball(const struct csg_camera *camera, const struct csg_seen_ball *ball, size_t i,
+                       const struct csg_ball_prints *prints)
 {
-    size_t best = 0;
-    for (size_t i = 1; i < num; i++)
-        if (csg_dot(n, balls[i].center) + balls[i].radius >
-            csg_dot(n, balls[best].center) + balls[best].radius)
-            best = i;
-    return csg_add(balls[best].center, csg_scale(balls[best].radius, n));
-}
-
-/* A little inwards of a point between three that the hull reaches furthest to. */
-static struct csg_vec3 inner_point(const struct csg_ball *balls, size_t num)
-{
-    const struct csg_vec3 n = random_direction(), center = balls[0].center;
-    const double spread = random_unit() < 0.5 ? 0.05 : 2;
-    struct csg_vec3 p = csg_vec3(0, 0, 0);
-    double weights[3], sum = 0;
-    for (int i = 0; i < 3; i++)
-        sum += weights[i] = random_unit();
-    for (int i = 0; i < 3; i++) {
-        const struct csg_vec3 m = csg_normalize(csg_add(n, csg_scale(spread, random_direction())));
-        p = csg_add(p, csg_scale(weights[i] / sum, support(balls, num, m)));
-    }
-    return csg_add(csg_scale(1 - 1e-7, p), csg_scale(1e-7, center));
-}
-
-static bool is_beyond_a_plane(const struct csg_ball *balls, size_t num, struct csg_vec3 p)
-{
-    for (int i = 0; i < num_directions; i++) {
-        const struct csg_vec3 n = random_direction();
-        if (csg_dot(n, csg_sub(p, support(balls, num, n))) > 1e-7)
-            return true;
-    }
-    return false;
-}
-
-static void check_hull(struct csg_ball *balls, size_t num, int seed)
-{
-    struct csg_part part = {0};
-    int num_missing = 0, num_extra = 0;
-    const size_t left = csg_balls_drop_inner(balls, num);
-    const enum csg_hull_result result = csg_ball_hull(&part, balls, left, 0);
-    CHECK(result == CSG_HULL_DONE, "seed %d: %d", seed, (int)result);
-    for (int i = 0; i < num_points; i++) {
-        const struct csg_vec3 p = csg_scale(12, random_direction());
-        const struct csg_vec3 q = csg_scale(random_unit(), p);
-        num_missing += !is_inside(&part, inner_point(balls, left));
-        num_extra += is_inside(&part, q) && is_beyond_a_plane(balls, left, q);
-    }
-    CHECK(num_missing == 0, "seed %d: %d points are missing", seed, num_missing);
-    CHECK(num_extra == 0, "seed %d: %d points are too many", seed, num_extra);
-    csg_part_finish(&part);
-}
-
-/* On a grid centres are in line and in a plane, and many balls touch one plane. */
-static void add_random(struct csg_ball *balls, size_t num, bool on_grid)
-{
-    for (size_t i = 0; i < num; i++) {
-        double c[3];
-        for (int k = 0; k < 3; k++)
-            c[k] = on_grid ? floor(3 * random_unit()) * 3 : 8 * random_unit() - 4;
-        balls[i].center = csg_vec3(c[0], c[1], c[2]);
-        balls[i].radius = on_grid ? 1 : random_unit() < 0.3 ? 0 : 2 * random_unit();
-    }
-    balls[0].radius = 1; /* the hull has a volume */
+    struct csg_footprint one;
+    const bool shows = csg_outline_project(camera, CSG_OUTLINE_BALL, NULL, ball, &one);
+    const bool shown =
+        prints->lo[0][i] <= prints->hi[0][i] && prints->lo[1][i] <= prints->hi[1][i];
+    CHECK(shows == shown, "ball %zu: %d and %d", i, shows, shown);
+    for (int axis = 0; axis < 2 && shows && shown; axis++)
+        CHECK(one.lo[axis] == prints->lo[axis][i] && one.hi[axis] == prints->hi[axis][i],
+              "ball %zu: from %d to %d and from %d to %d", i, one.lo[axis], one.hi[axis],
+              (int)prints->lo[axis][i], (int)prints->hi[axis][i]);
+    CHECK(!shows || fabs(one.near - prints->near[i]) < 1e-9, "ball %zu: begins at %g", i,
+          prints->near[i]);
+    return shows;
 }
 
 int main(void)
 {
-    for (int seed = 0; seed < 60; seed++) {
-        struct csg_ball balls[max_balls];
-        state = 77 + (unsigned long long)seed;
-        random_unit();
-        const size_t num = 1 + (size_t)(random_unit() * max_balls);
-        add_random(balls, num, seed % 2 == 0);
-        check_hull(balls, num, seed);
+    double at[4][CSG_BALLS_MAX];
+    size_t num_shown = 0, num_close = 0;
+    for (int row = 0; row < num_rows; row++) {
+        const struct csg_screen screen = random_screen();
+        const struct csg_camera camera = csg_camera_of(&screen);
+        const size_t num = row % 3 ? CSG_BALLS_MAX : (size_t)(row / 3 % CSG_BALLS_MAX);
+        struct csg_ball_prints prints;
+        for (size_t i = 0; i < num; i++)
+            for (int j = 0; j < 4; j++)
+                at[j][i] = j < 3 ? between(-11, 11) : exp(between(-7, 1));
+        csg_balls_project(&camera, at[0], at[1], at[2], at[3], num, &prints);
+        for (size_t i = 0; i < num; i++) {
+            const struct csg_seen_ball ball =
+                csg_camera_see(&camera, csg_vec3(at[0][i], at[1][i], at[2][i]), at[3][i]);
+            CHECK(is_plain(&screen, &ball) == (prints.plain[i] != 0), "row %d, ball %zu: %d", row,
+                  i, (int)prints.plain[i]);
+            if (prints.plain[i])
+                num_shown += check_ball(&camera, &ball, i, &prints);
+            else
+                num_close++;
+        }
     }
+    CHECK(num_shown > 1000 && num_close > 100, "only %zu show, %zu are close", num_shown,
+          num_close);
     if (num_failed)
         fprintf(stderr, "%d checks failed\n", num_failed);
     return num_failed != 0;
