@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cells/build.h"
+#include "cells/kept.h"
 #include "csg/side.h"
 #include "common/parallel.h"
 #include "csg/carrier.h"
@@ -33,6 +34,8 @@ struct job {
     uint32_t *places;
     bool *is_box;
     double cost; /* of all parts */
+    struct csg_kept *before;
+    uint64_t *keys; /* of the parts; NULL: none are kept */
     int num_threads;
 };
 
@@ -57,6 +60,11 @@ static void build_part(void *user, size_t i)
     struct job *job = user;
     struct csg_work *work = &job->top.work.data[i];
     struct csg_cell_builder *part = &job->parts[i];
+    if (job->keys) {
+        job->keys[i] = csg_kept_key(&job->top, work);
+        if (csg_kept_take(job->before, job->keys[i], part))
+            return;
+    }
     part->scene = job->top.scene;
     part->places = job->places;
     part->is_box = job->is_box;
@@ -135,7 +143,9 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
     csg_cell_builder_start(&job->top, &cells->box, &tree, 0);
     csg_cell_builder_cut(&job->top, NUM_PARTS);
     job->parts = calloc(job->top.work.num + 1, sizeof *job->parts);
-    if (job->top.failed || !job->parts)
+    if (scene->keeps_structure)
+        job->keys = calloc(job->top.work.num + 1, sizeof *job->keys);
+    if (job->top.failed || !job->parts || (scene->keeps_structure && !job->keys))
         return false;
     for (size_t i = 0; i < job->top.work.num; i++) {
         job->top.branches.data[job->top.work.data[i].branch].first = (uint32_t)i;
@@ -300,16 +310,18 @@ static void finish_job(struct job *job)
     for (size_t i = 0; i < job->top.work.num && job->parts; i++)
         csg_cell_builder_finish(&job->parts[i]);
     free(job->parts);
+    free(job->keys);
     csg_cell_builder_finish(&job->top);
     free(job->places);
     free(job->is_box);
 }
 
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
-                                   const struct csg_object *object, int num_threads)
+                                   const struct csg_object *object, struct csg_kept *before,
+                                   int num_threads)
 {
     struct csg_cells *cells = calloc(1, sizeof *cells);
-    struct job job = {.num_threads = num_threads};
+    struct job job = {.before = before, .num_threads = num_threads};
     if (!cells)
         return NULL;
     const double size = csg_length(csg_sub(object->box.hi, object->box.lo));
@@ -318,6 +330,8 @@ struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
     cells->box = (struct csg_box){csg_sub(object->box.lo, room), csg_add(object->box.hi, room)};
     struct emitter emitter = {&job, cells, {0}};
     const bool ok = build(&job, scene, object, cells) && emit_all(&emitter);
+    if (ok && job.keys) /* without, the next ones are made anew */
+        cells->kept = csg_kept_create(job.parts, job.keys, job.top.work.num);
     finish_job(&job);
     cells->hash = hash_texels(cells->texels.data, cells->texels.num);
     if (ok)
@@ -330,6 +344,7 @@ void csg_cells_destroy(struct csg_cells *cells)
 {
     if (!cells)
         return;
+    csg_kept_destroy(cells->kept);
     free(cells->texels.data);
     free(cells);
 }

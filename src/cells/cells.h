@@ -19,6 +19,8 @@
 /* Flags of a record are below this; above them is the fourth face. */
 #define CSG_CELL_FLAGS 1024
 
+struct csg_kept;
+
 struct csg_cells {
     struct csg_box box; /* the root; larger than the object by margin at least */
     double margin;      /* a cell's tree holds that far around it, in scene units */
@@ -35,6 +37,7 @@ struct csg_cells {
     size_t depth; /* of splits */
     bool bunched; /* cells hold bunches, see cells/bunch.h, instead of records */
     bool nested;  /* some cell's tree is no chain: its program needs a stack */
+    struct csg_kept *kept; /* of a scene that is edited: what the next cells may have of these */
 };
 
 #define CSG_CELL_NOWHERE 1e20f
@@ -42,11 +45,13 @@ struct csg_cells {
 /* All places in the texture are floats. */
 #define CSG_CELLS_MAX_TEXELS ((size_t)1 << 24)
 
-/* The cells of an object that can be cut so, made by that many threads (csg_parallel). NULL: out of
- * memory, or they do not fit their texture.
+/* The cells of an object that can be cut so, made by that many threads (csg_parallel). before: parts
+ * of earlier ones, which may be taken, NULL: none. NULL: out of memory, or they do not fit their
+ * texture.
  */
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
-                                   const struct csg_object *object, int num_threads);
+                                   const struct csg_object *object, struct csg_kept *before,
+                                   int num_threads);
 void csg_cells_destroy(struct csg_cells *cells);
 
 /* What making them costs at most, in tests of a solid at a pixel in tiles. */

@@ -4,11 +4,14 @@
 #include <pthread.h>
 #include <stdlib.h>
 
+#include "cells/kept.h"
+
 /* Frames for which an answer holds, if their area does not change by more than a quarter. */
 #define MEMORY 8
 
 struct entry {
     struct csg_cells *cells;
+    struct csg_kept *before; /* of the cells before an edit */
     double answer, area; /* of csg_cells_remember */
     int num_left;        /* frames for which that holds */
     double spared;       /* tests, if they had been there */
@@ -39,11 +42,23 @@ void csg_cells_store_destroy(struct csg_cells_store *store)
 {
     if (!store)
         return;
-    for (size_t i = 0; i < store->num; i++)
+    for (size_t i = 0; i < store->num; i++) {
         csg_cells_destroy(store->entries[i].cells);
+        csg_kept_destroy(store->entries[i].before);
+    }
     free(store->entries);
     pthread_mutex_destroy(&store->mutex);
     free(store);
+}
+
+void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_store *before)
+{
+    for (size_t i = 0; i < store->num && i < before->num; i++) {
+        struct entry *from = &before->entries[i];
+        struct csg_kept **kept = from->cells ? &from->cells->kept : &from->before;
+        store->entries[i].before = *kept;
+        *kept = NULL;
+    }
 }
 
 const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t object,
@@ -57,7 +72,9 @@ const struct csg_cells *csg_cells_of(const struct csgcast_scene *scene, uint32_t
     if (!entry->asked && entry->spared >= csg_cells_cost(scene, of)) {
         entry->asked = true;
         if (csg_cells_can_hold(scene, of))
-            entry->cells = csg_cells_create(scene, of, num_threads);
+            entry->cells = csg_cells_create(scene, of, entry->before, num_threads);
+        csg_kept_destroy(entry->before);
+        entry->before = NULL;
     }
     const struct csg_cells *cells = entry->cells;
     pthread_mutex_unlock(&store->mutex);

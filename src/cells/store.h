@@ -12,6 +12,9 @@ struct csg_cells_store;
 struct csg_cells_store *csg_cells_store_create(const struct csgcast_scene *scene);
 void csg_cells_store_destroy(struct csg_cells_store *store);
 
+/* What an edit leaves as it was is taken from the store before it, by objects of the same number. */
+void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_store *before);
+
 /*
  * An object's cells for a frame, in which they spare so many tests of a solid at a pixel. They are
  * made as soon as the frames since the scene was loaded or edited would have been spared more than

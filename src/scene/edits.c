@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cells/store.h"
 #include "scene/load.h"
 
 void csg_edits_destroy(struct csg_edits *edits)
@@ -65,6 +66,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
     next.objects = NULL;
     next.carriers = NULL;
     next.crowd = NULL;
+    next.cells = NULL;
     next.plan = NULL;
     next.sharpness = NULL;
     next.ways = (struct csg_scene_ways){0};
@@ -76,6 +78,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene)
         csg_scene_drop_derived(&next);
         return csg_log_memory(&scene->log);
     }
+    csg_cells_store_inherit(next.cells, scene->cells);
     csg_scene_drop_derived(scene);
     *scene = next;
     scene->info.kinds = scene->kinds;

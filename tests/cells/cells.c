@@ -5,6 +5,7 @@
  * Draws scenes in cells and by the loop over whole trees: leaf, depth and normal of every pixel
  * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
  * holes, boxes through one point, flush holes, nested cubes in one place, and random trees, on a grid (faces coincide) and off it.
+ * Then scenes whose solids are moved about, as their cells keep what an edit does not change.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -148,6 +149,40 @@ static bool check(struct csgcast_renderer *renderer, const char *name, char *tex
     return ok;
 }
 
+/* Onto the grid, off it, and away; the first leaf, which most of the others are cut from, too. */
+static bool move_leaf(struct csgcast_scene *scene, int round)
+{
+    static const double steps[3][3] = {{3, 0, 0}, {0.37, -0.21, 0.11}, {0, 1, 60}};
+    struct csgcast_leaf leaf;
+    const size_t num = csgcast_scene_num_leaves(scene);
+    const size_t index = round % 8 == 7 ? 0 : (size_t)round * 7919 % num;
+    if (!csgcast_scene_get_leaf(scene, index, &leaf))
+        return false;
+    for (int i = 0; i < 3; i++)
+        leaf.matrix[4 * i + 3] += steps[round % 3][i];
+    return csgcast_scene_set_matrix(scene, index, leaf.matrix);
+}
+
+static bool check_edits(struct csgcast_renderer *renderer, const char *name, char *text)
+{
+    static struct picture cells, loop;
+    const struct csgcast_scene_params params = {.editable = true};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    bool ok = scene != NULL;
+    for (int round = 0; ok && round < 12; round++) {
+        struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = cameras[round % 3]};
+        ok = move_leaf(scene, round) && draw(renderer, scene, &view, "cells", &cells) &&
+             draw(renderer, scene, &view, "loop", &loop);
+        if (ok && memcmp(&cells, &loop, sizeof cells) != 0) {
+            printf("FAIL %s, edit %d: cells and loop differ\n", name, round);
+            ok = false;
+        }
+    }
+    csgcast_scene_destroy(scene);
+    free(text);
+    return ok;
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 3)
@@ -162,6 +197,9 @@ int main(int argc, char **argv)
     ok &= check(renderer, "star", star(), true);
     ok &= check(renderer, "rods", rods(), true);
     ok &= check(renderer, "nest", nest(), true);
+    ok &= check_edits(renderer, "edited sponge", sponge());
+    ok &= check_edits(renderer, "edited plate", plate());
+    ok &= check_edits(renderer, "edited rods", rods());
     struct random_state random = {2026};
     for (int i = 0; i < atoi(argv[2]); i++) {
         const struct random_params tree = {2 + i % 7, 8 + i * 11 % 60, i % 2 ? 1 : 0, i % 3 == 0};
