@@ -9,6 +9,7 @@
 #include "csg/loners.h"
 #include "csg/object.h"
 #include "csg/plane_table.h"
+#include "csg/remote.h"
 #include "mesh/surface.h"
 #include "solids/sample.h"
 
@@ -275,6 +276,52 @@ static int compare_planes(const void *a, const void *b)
     return x->plane < y->plane ? -1 : x->plane > y->plane;
 }
 
+static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b)
+{
+    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
+           a->offset == b->offset;
+}
+
+/* A face that no other one comes near gets a carrier of its own, or that of the face before it. */
+static bool assign_remote(struct builder *builder, const struct csg_surface *surface, uint32_t i,
+                          bool was_remote, const struct extent *extent, struct csg_face *faces)
+{
+    const struct csg_plane *planes = surface->planes.data;
+    if (was_remote && is_same_plane(&planes[i - 1], &planes[i])) {
+        faces[i] = faces[i - 1];
+        return true;
+    }
+    return add_plane(builder, &planes[i], extent, true, &faces[i]);
+}
+
+static struct extent face_extent(const struct csg_surface_extent *extent, double rounding)
+{
+    return (struct extent){extent->center, extent->radius, extent->radius, rounding};
+}
+
+/* Assigns the faces that are remote and ranks the others; SIZE_MAX: out of memory. */
+static size_t rank_planes(struct builder *builder, uint32_t leaf,
+                          const struct csg_surface_extent *extents, struct ranked_plane *ranked)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const struct csg_surface *surface = shape->surface;
+    struct csg_face *faces = &builder->carriers->faces[builder->carriers->face_begin[leaf]];
+    const struct csg_remote remote = csg_remote_start(builder->scene, builder->wanted, leaf);
+    bool was_remote = false;
+    size_t num = 0;
+    for (uint32_t i = 0; i < surface->planes.num; i++) {
+        const struct extent extent = face_extent(&extents[i], shape->rounding);
+        const double reach = extent.radius + tolerance(&extent, builder->largest_rounding);
+        const bool is_remote = csg_remote_is(&remote, extent.center, reach);
+        if (!is_remote)
+            ranked[num++] = (struct ranked_plane){extent.radius, i};
+        else if (!assign_remote(builder, surface, i, was_remote, &extent, faces))
+            return SIZE_MAX;
+        was_remote = is_remote;
+    }
+    return num;
+}
+
 /* Each face of a surface counts where it is, the largest first. */
 static bool assign_surface(struct builder *builder, uint32_t leaf)
 {
@@ -283,15 +330,13 @@ static bool assign_surface(struct builder *builder, uint32_t leaf)
     struct csg_face *faces = &builder->carriers->faces[builder->carriers->face_begin[leaf]];
     struct csg_surface_extent *extents = csg_surface_extents(surface);
     struct ranked_plane *ranked = malloc((surface->planes.num + 1) * sizeof *ranked);
-    bool ok = extents && ranked;
-    for (uint32_t i = 0; i < surface->planes.num && ok; i++)
-        ranked[i] = (struct ranked_plane){extents[i].radius, i};
-    if (ok && surface->planes.num > 1)
-        qsort(ranked, surface->planes.num, sizeof *ranked, compare_planes);
-    for (size_t i = 0; i < surface->planes.num && ok; i++) {
+    const size_t num = extents && ranked ? rank_planes(builder, leaf, extents, ranked) : SIZE_MAX;
+    bool ok = num != SIZE_MAX;
+    if (ok && num > 1)
+        qsort(ranked, num, sizeof *ranked, compare_planes);
+    for (size_t i = 0; ok && i < num; i++) {
         const uint32_t plane = ranked[i].plane;
-        const struct extent extent = {extents[plane].center, extents[plane].radius,
-                                      extents[plane].radius, shape->rounding};
+        const struct extent extent = face_extent(&extents[plane], shape->rounding);
         ok = assign_plane(builder, &surface->planes.data[plane], &extent, &faces[plane]);
     }
     free(extents);

@@ -30,6 +30,7 @@ struct csg_surface *csg_surface_copy(const struct csg_surface *surface)
         copy_array(&copy->triangles, &surface->triangles) &&
         copy_array(&copy->planes, &surface->planes) && copy_array(&copy->nodes, &surface->nodes)) {
         copy->open = surface->open;
+        copy->is_simple = surface->is_simple;
         return copy;
     }
     csg_surface_destroy(copy);

@@ -38,6 +38,7 @@ struct csg_surface {
     CSG_ARRAY(struct csg_triangle) triangles; /* in the order of the hierarchy once it is built */
     CSG_ARRAY(struct csg_plane) planes;       /* unit normals out of the solid */
     CSG_ARRAY(struct csg_box_node) nodes;     /* none until csg_surface_build */
+    bool is_simple; /* no two faces lie upon each other, not even in part */
     bool open; /* some edge does not belong to two triangles in opposite directions */
 };
 

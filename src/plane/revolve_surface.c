@@ -104,6 +104,7 @@ static bool fill(struct turner *turner, struct csg_shape *shape, double rounding
 {
     struct csg_mesh_gaps gaps;
     turner->mesh->rounding = rounding;
+    turner->mesh->is_simple = fabs(turner->turn->angle) < 180.0 * turner->turn->num;
     if (!add_points(turner) || !add_sides(turner) || !add_ends(turner) ||
         !csg_mesh_orient(turner->mesh, &gaps))
         return false;

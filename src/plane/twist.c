@@ -11,6 +11,9 @@
 /* Diagonals whose lengths differ by less than this share of their mean are equal to OpenSCAD. */
 #define SAME_LENGTH 1e-5
 
+/* Sides that turn by less between two levels are not folded: no two directions are opposite. */
+#define MAX_STEP_DEGREES 90.0
+
 #define PI 3.14159265358979323846264338327950288
 
 /* Where one slice begins or ends. */
@@ -215,6 +218,7 @@ enum csg_sweep_result csg_twist_fill(struct csg_mesh *mesh, const struct csg_dra
         end - begin > CSG_TRIANGULATE_MAX_CORNERS)
         return CSG_SWEEP_TOO_LARGE;
     const int num = (int)slices;
+    mesh->is_simple = fabs(twist->degrees) < MAX_STEP_DEGREES * num;
     bool ok = csg_figure_triangulate(drawing, figure, &caps) &&
               add_cap(mesh, &caps, begin, 0, true) &&
               add_slices(mesh, drawing, twist, begin, end, num);

@@ -20,6 +20,7 @@ struct csg_mesh {
     CSG_ARRAY(struct csg_mesh_face) faces;
     double size;        /* the largest coordinate */
     double rounding;    /* see struct csg_shape */
+    bool is_simple;     /* see struct csg_surface */
     size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
 

@@ -127,6 +127,7 @@ bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape 
         return false;
     }
     surface->open = open;
+    surface->is_simple = mesh->is_simple && !open;
     *shape = (struct csg_shape){
         .surface = surface, .frame = csg_map_identity, .rounding = mesh->rounding};
     shape->bounds = shape->written = csg_surface_box(surface);
