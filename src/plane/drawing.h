@@ -38,6 +38,7 @@ struct csg_contour {
 struct csg_figure {
     uint32_t begin, end; /* of its contours */
     bool is_disc;        /* meant is the ellipse disc; the contour has OpenSCAD's facets */
+    bool is_join;        /* a disc over facets of another figure, which stand for it */
     bool facetted;       /* the contour stands for an ellipse */
     bool by_winding;     /* no disc */
     bool is_outline;     /* its contours do not cross and have the inside to their left */

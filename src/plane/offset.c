@@ -187,7 +187,7 @@ static bool add_disc(struct mover *mover, struct csg_vec2 center, double roundin
         ok = csg_drawing_add_point(drawing, p.x, p.y);
     }
     struct csg_figure *figure = &drawing->figures.data[drawing->figures.num - 1];
-    figure->is_disc = true;
+    figure->is_disc = figure->is_join = true;
     figure->disc = csg_map_scaling(csg_vec3(mover->size, mover->size, 1));
     figure->disc.m[0][3] = center.x;
     figure->disc.m[1][3] = center.y;

@@ -61,6 +61,8 @@ static bool add_edges(struct csg_sweep *sweep, const struct csg_drawing *drawing
             continue;
         const uint32_t index = drawing->nodes.data[i].figure;
         const struct csg_figure *figure = &drawing->figures.data[index];
+        if (figure->is_join)
+            continue;
         for (uint32_t j = figure->begin; j < figure->end && ok; j++) {
             const struct csg_contour contour = drawing->contours.data[j];
             for (uint32_t k = contour.begin; k < contour.end && ok; k++)

@@ -48,7 +48,7 @@ struct csg_sweep {
 
 enum csg_sweep_result { CSG_SWEEP_DONE, CSG_SWEEP_TOO_LARGE, CSG_SWEEP_NO_MEMORY };
 
-/* Sweeps the subtree at node. */
+/* Sweeps the subtree at node, discs as their facets. */
 enum csg_sweep_result csg_sweep(struct csg_sweep *sweep, const struct csg_drawing *drawing,
                                 uint32_t node);
 void csg_sweep_finish(struct csg_sweep *sweep);

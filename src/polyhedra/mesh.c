@@ -205,7 +205,8 @@ static uint32_t *number_points(const struct csg_mesh *mesh, bool reversed)
 
 bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space)
 {
-    struct csg_mesh clean = {.size = mesh->size, .rounding = mesh->rounding};
+    struct csg_mesh clean = {
+        .size = mesh->size, .rounding = mesh->rounding, .is_simple = mesh->is_simple};
     uint32_t *numbers = NULL;
     bool ok =
         join_points(mesh) && (numbers = number_points(mesh, csg_cut_space_is_reversed(space)));

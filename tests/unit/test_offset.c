@@ -127,8 +127,46 @@ static void check_corners(double degrees)
     csg_drawing_finish(&drawing);
 }
 
+static size_t count_corners(const struct csg_drawing *drawing)
+{
+    const struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[0].figure];
+    size_t num = 0;
+    for (uint32_t i = figure->begin; i < figure->end; i++)
+        num += drawing->contours.data[i].end - drawing->contours.data[i].begin;
+    return num;
+}
+
+/* Discs that make corners round are no corners of what is moved next. */
+static void check_discs(void)
+{
+    static const double distances[] = {-2, 3, -1, 0.5};
+    struct csg_drawing exact = {0}, facetted = {0};
+    struct csg_drawing *drawings[] = {&exact, &facetted};
+    for (int i = 0; i < 2; i++) {
+        if (!csg_drawing_add_figure(drawings[i], 0))
+            abort();
+        add_contour(drawings[i]);
+        for (int k = 0; k < 8; k++)
+            add_point(drawings[i], (k % 2 ? 10 : 30) * csg_cos_degrees(45 * k + 10),
+                      (k % 2 ? 10 : 30) * csg_sin_degrees(45 * k + 10));
+        for (int k = 0; k < 4; k++) {
+            const struct csg_offset offset = {.distance = distances[k],
+                                              .join = CSG_JOIN_ROUND,
+                                              .num = 48,
+                                              .exact = i == 0};
+            CHECK(csg_drawing_offset(drawings[i], 0, &offset) == CSG_SWEEP_DONE, "step %d", k);
+        }
+        CHECK(csg_drawing_evaluate(drawings[i], 0) == CSG_SWEEP_DONE, "%d", i);
+    }
+    CHECK(count_corners(&exact) == count_corners(&facetted), "%zu and %zu corners",
+          count_corners(&exact), count_corners(&facetted));
+    csg_drawing_finish(&exact);
+    csg_drawing_finish(&facetted);
+}
+
 int main(void)
 {
+    check_discs();
     for (int i = 0; i < num_polygons; i++)
         check_offset(i);
     for (double degrees = 1; degrees < 89; degrees += 1.7)
