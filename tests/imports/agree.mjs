@@ -54,7 +54,7 @@ function csgcastPoints(outline, file, options) {
 
 // What of a has no partner in b, each of which is taken once.
 function unmatched(a, b) {
-    const size = Math.max(1e-3, ...a.flat().map(Math.abs), ...b.flat().map(Math.abs));
+    const size = [...a, ...b].reduce((most, [x, y]) => Math.max(most, Math.abs(x), Math.abs(y)), 1e-3);
     const tolerance = 6e-6 * size;
     const left = [...b].sort((p, q) => p[0] - q[0]);
     const used = new Array(left.length).fill(false);

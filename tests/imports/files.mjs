@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 //   node files.mjs dxf|svg OUTLINE COUNT SEED
-//   node files.mjs dxf|svg OUTLINE COUNT SEED broken
+//   node files.mjs dxf|svg|amf OUTLINE COUNT SEED broken
 //
 // Random files: whether csgcast and OpenSCAD read the same from them. broken: of files with bytes
 // changed, cut out or repeated, whether csgcast reads them or says no, soon.

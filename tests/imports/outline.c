@@ -3,7 +3,7 @@
  *   outline FILE [layer=L] [x=X] [y=Y] [scale=S] [fn=N] [fa=A] [fs=S] [dpi=D] [center]
  *
  * Writes the corners of the drawing in a file as csgcast reads it, after Clipper: "x y" a line, an
- * empty line behind each contour.
+ * empty line behind each contour. Of an AMF file it writes the points of the meshes.
  */
 #include <dlfcn.h>
 #include <stdio.h>
@@ -12,6 +12,7 @@
 
 #include "clip/module.h"
 #include "common/module.h"
+#include "files/amf.h"
 #include "files/dxf.h"
 #include "files/svg.h"
 #include "xml/module.h"
@@ -89,15 +90,33 @@ static bool read_svg(const struct csg_bytes *bytes, const struct options *option
     return result == CSG_SVG_DONE || result == CSG_SVG_MALFORMED;
 }
 
+static bool print_amf(const struct csg_bytes *bytes)
+{
+    struct csg_mesh_list list = {0};
+    struct csg_xml_error error;
+    const struct csg_xml_module *xml =
+        open_module("csgcast-xml.so", "CSGCAST_XML_MODULE", CSG_XML_MODULE_NAME);
+    const enum csg_amf_result result =
+        xml ? csg_amf_read(bytes, "x.amf", xml, &list, &error) : CSG_AMF_NO_MEMORY;
+    for (size_t i = 0; i < list.meshes.num; i++)
+        for (size_t k = 0; k < list.meshes.data[i].points.num; k++) {
+            const struct csg_vec3 p = list.meshes.data[i].points.data[k];
+            printf("%.17g %.17g %.17g\n", p.x, p.y, p.z);
+        }
+    csg_mesh_list_finish(&list);
+    return result != CSG_AMF_NO_MEMORY;
+}
+
 static bool read_file(const char *path, const struct options *options, struct csg_drawing *drawing)
 {
     const struct csg_log log = {0};
     const char *dot = strrchr(path, '.');
     struct csg_bytes bytes = {0};
-    const bool is_svg = dot && strcmp(dot, ".svg") == 0;
+    const bool is_svg = dot && strcmp(dot, ".svg") == 0, is_amf = dot && strcmp(dot, ".amf") == 0;
     const bool ok = csg_file_read(path, &bytes, &log) &&
-                    (is_svg ? read_svg(&bytes, options, drawing)
-                            : read_dxf(&bytes, options, drawing));
+                    (is_amf   ? print_amf(&bytes)
+                     : is_svg ? read_svg(&bytes, options, drawing)
+                              : read_dxf(&bytes, options, drawing));
     free(bytes.data);
     return ok;
 }
