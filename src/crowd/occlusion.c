@@ -4,11 +4,15 @@
 #include <stdlib.h>
 
 #include "common/parallel.h"
+#include "common/prefetch.h"
 #include "crowd/cast.h"
 #include "crowd/occluders.h"
 
 /* Rounding of keys, in float terms and in the depth buffer. */
 #define KEY_NOISE 1e-6
+
+/* Occluders lie all over memory: so many of them are on their way. */
+enum { PREFETCHED = 8 };
 
 /* Larger ones are drawn sooner by themselves: what they own is looked up pixel by pixel. */
 enum { MAX_OWNER_PIXELS = 256 };
@@ -75,6 +79,7 @@ struct drawing {
     struct csg_occluders occluders;
     struct csg_relief *reliefs;
     size_t num_reliefs;
+    const struct csg_relief *base; /* what hides besides; NULL: nothing */
     struct csg_owned owned[CSG_NUM_BANDS]; /* of the first relief, where it has owners */
 };
 
@@ -114,6 +119,14 @@ static void draw_occluder(const struct drawing *drawing, const struct csg_candid
         atomic_store_explicit(&drawing->cull->drawn[occluder->member], true, memory_order_relaxed);
 }
 
+static void clear_band(const struct drawing *drawing, int begin, int end)
+{
+    for (size_t i = 0; i < drawing->num_reliefs; i++)
+        csg_relief_clear(&drawing->reliefs[i], drawing->base, begin, end);
+    if (drawing->reliefs->owners)
+        csg_owners_clear(drawing->reliefs->owners, begin, end);
+}
+
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
 static void draw_band(void *user, size_t task)
 {
@@ -122,8 +135,11 @@ static void draw_band(void *user, size_t task)
     struct csg_cull *cull = drawing->cull;
     const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
     float own[12 + 4 * CSG_CROWD_MAX_PLANES];
+    clear_band(drawing, begin, end + 1);
     for (size_t i = occluders->begin[task]; i < occluders->begin[task + 1]; i++) {
         const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
+        if (i + PREFETCHED < occluders->begin[task + 1])
+            csg_prefetch(&cull->candidates[occluders->order[i + PREFETCHED]]);
         struct csg_pixels pixels = pixels_of(occluder);
         pixels.lo[1] = pixels.lo[1] > begin ? pixels.lo[1] : begin;
         pixels.hi[1] = pixels.hi[1] < end ? pixels.hi[1] : end;
@@ -188,7 +204,7 @@ static bool init_opaque(struct csg_cull *cull)
 {
     const struct csg_screen *screen = screen_of(cull);
     if (!note_drawn(cull) ||
-        !csg_relief_init(&cull->relief, screen, cull->view.frame->at, CSG_CAST_FRONT, NULL))
+        !csg_relief_init(&cull->relief, screen, cull->view.frame->at, CSG_CAST_FRONT))
         return false;
     if (!takes_owners(cull))
         return true;
@@ -285,9 +301,9 @@ static bool hide_translucent(struct drawing *drawing)
     struct csg_cull *cull = drawing->cull;
     const struct csg_relief *base = cull->has_relief ? &cull->relief : NULL;
     for (size_t i = 0; i < drawing->num_reliefs; i++)
-        if (!csg_relief_init(&drawing->reliefs[i], screen_of(cull), cull->view.frame->at, sides[i],
-                             base))
+        if (!csg_relief_init(&drawing->reliefs[i], screen_of(cull), cull->view.frame->at, sides[i]))
             return false;
+    drawing->base = base;
     if (!note_drawn(cull))
         return false;
     csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, drawing);

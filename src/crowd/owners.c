@@ -17,12 +17,16 @@ bool csg_owners_init(struct csg_owners *owners, int width, int height, size_t nu
     owners->who = malloc((num + 1) * sizeof *owners->who);
     owners->least = malloc((num + 1) * sizeof *owners->least);
     owners->owns = calloc(num_members + 1, sizeof *owners->owns);
-    if (!owners->who || !owners->least || !owners->owns)
-        return false;
-    memset(owners->who, 0xff, num * sizeof *owners->who); /* CSG_NOBODY */
-    for (size_t i = 0; i < num; i++)
+    return owners->who && owners->least && owners->owns;
+}
+
+void csg_owners_clear(const struct csg_owners *owners, int begin, int end)
+{
+    const size_t first = (size_t)begin * owners->stride, last = (size_t)end * owners->stride;
+    for (size_t i = first; i < last; i++) {
+        owners->who[i] = CSG_NOBODY;
         owners->least[i] = INFINITY;
-    return true;
+    }
 }
 
 void csg_owners_finish(struct csg_owners *owners)

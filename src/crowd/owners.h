@@ -29,6 +29,9 @@ bool csg_owners_init(struct csg_owners *owners, int width, int height, size_t nu
                      atomic_bool *rivals);
 void csg_owners_finish(struct csg_owners *owners);
 
+/* Nobody shows in rows [begin, end): to be called for each before anything else. */
+void csg_owners_clear(const struct csg_owners *owners, int begin, int end);
+
 /* Notes at num pixels of a row from (x, y) on whether member who may show, and what it hides; keys
  * are the relief's there. Whether it may show. The rest is as csg_cast_draw has it. */
 bool csg_owners_contend(const struct csg_owners *owners, const struct csg_cast *cast, uint32_t who,

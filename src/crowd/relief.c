@@ -16,7 +16,7 @@ static size_t squares_of(int pixels)
 }
 
 bool csg_relief_init(struct csg_relief *relief, const struct csg_screen *screen,
-                     struct csg_pixel at, enum csg_cast_side side, const struct csg_relief *base)
+                     struct csg_pixel at, enum csg_cast_side side)
 {
     *relief = (struct csg_relief){.side = side,
                                   .at = {at.x, at.y},
@@ -29,18 +29,20 @@ bool csg_relief_init(struct csg_relief *relief, const struct csg_screen *screen,
     const size_t num_squares = relief->num_squares_x * relief->num_squares_y;
     relief->keys = malloc((num_keys + 1) * sizeof *relief->keys);
     relief->squares = malloc((num_squares + 1) * sizeof *relief->squares);
-    if (!relief->keys || !relief->squares)
-        return false;
-    if (base) {
-        memcpy(relief->keys, base->keys, num_keys * sizeof *relief->keys);
-        memcpy(relief->squares, base->squares, num_squares * sizeof *relief->squares);
-        return true;
-    }
-    for (size_t i = 0; i < num_keys; i++)
-        relief->keys[i] = CSG_KEY_MAX;
-    for (size_t i = 0; i < num_squares; i++)
-        relief->squares[i] = (struct csg_square){.far = CSG_KEY_MAX, .tilted_far = CSG_KEY_MAX};
-    return true;
+    return relief->keys && relief->squares;
+}
+
+void csg_relief_clear(const struct csg_relief *relief, const struct csg_relief *base, int begin,
+                      int end)
+{
+    const size_t first = (size_t)begin * relief->stride, last = (size_t)end * relief->stride;
+    const size_t first_square = (size_t)begin / CSG_RELIEF_SQUARE * relief->num_squares_x;
+    const size_t last_square = squares_of(end) * relief->num_squares_x;
+    const struct csg_square empty = {.far = CSG_KEY_MAX, .tilted_far = CSG_KEY_MAX};
+    for (size_t i = first; i < last; i++)
+        relief->keys[i] = base ? base->keys[i] : CSG_KEY_MAX;
+    for (size_t i = first_square; i < last_square; i++)
+        relief->squares[i] = base ? base->squares[i] : empty;
 }
 
 void csg_relief_finish(struct csg_relief *relief)

@@ -37,10 +37,15 @@ struct csg_relief {
     struct csg_owners *owners; /* who shows, of near sides; NULL: that is not asked */
 };
 
-/* base: what hides besides; NULL: nothing does. false: out of memory. */
+/* false: out of memory. */
 bool csg_relief_init(struct csg_relief *relief, const struct csg_screen *screen,
-                     struct csg_pixel at, enum csg_cast_side side, const struct csg_relief *base);
+                     struct csg_pixel at, enum csg_cast_side side);
 void csg_relief_finish(struct csg_relief *relief);
+
+/* Rows [begin, end), which begin at the border of squares, start with what hides in base; NULL:
+ * nothing does. To be called for each row before anything else. */
+void csg_relief_clear(const struct csg_relief *relief, const struct csg_relief *base, int begin,
+                      int end);
 
 /* The offsets of pixels from the reference pixel. */
 struct csg_cast_rect csg_relief_offsets(const struct csg_relief *relief,
