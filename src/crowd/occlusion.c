@@ -131,11 +131,12 @@ static void clear_band(const struct drawing *drawing, int begin, int end)
 static void draw_band(void *user, size_t task)
 {
     struct drawing *drawing = user;
-    const struct csg_occluders *occluders = &drawing->occluders;
+    struct csg_occluders *occluders = &drawing->occluders;
     struct csg_cull *cull = drawing->cull;
     const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
     float own[12 + 4 * CSG_CROWD_MAX_PLANES];
     clear_band(drawing, begin, end + 1);
+    csg_occluders_sort(occluders, cull, task);
     for (size_t i = occluders->begin[task]; i < occluders->begin[task + 1]; i++) {
         const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
         if (i + PREFETCHED < occluders->begin[task + 1])
