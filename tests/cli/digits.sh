@@ -137,7 +137,7 @@ mkdir frames
 CSGCAST_DIGITS=$work/frames LD_PRELOAD=$(dirname "$csgcast")/csgcast-digits.so \
     openscad --animate 3 -o "$work/frames/x.csg" turning.scad >/dev/null 2>&1
 check "three frames" test "$(cat frames/*.csg | grep -c "^// all digits")" = 3
-check "str() in the second" grep -q "size = \[0.3333333333333333, 1, 7\]" frames/x00001.csg
+check "str() in the second" grep -q "size = \[0.3333333333333333[0-9]*, 1, 7\]" frames/x00001.csg
 
 # The last line of a text says that its numbers are as they stand, in edits too.
 cat >marked.csg <<END
