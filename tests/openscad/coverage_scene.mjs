@@ -93,27 +93,21 @@ async function isRandom(scene, stem, options) {
     return texts[0] !== texts[1];
 }
 
-// OpenSCAD's mesh of a file, at stl.
-async function meshOf(file, stl, options) {
-    const binary = `${stl}.binary`;
+async function makeMesh(scene, stem, options) {
+    const stl = `${stem}.stl`, binary = `${stl}.binary`;
     rmSync(binary, { force: true });
-    const result = await run("openscad", ["-o", binary, "--export-format=binstl", file],
-        { seconds: options.seconds, cwd: dirname(file) });
-    const judged = judgeMesh(result, binary);
-    if (judged === "ok")
+    const result = await run("openscad", ["-o", binary, "--export-format=binstl", scene.file],
+        { seconds: options.seconds, cwd: dirname(scene.file) });
+    const mesh = { result: judgeMesh(result, binary), seconds: result.ms / 1000 };
+    if (mesh.result === "ok")
         writeFileSync(stl, asciiFromBinary(readFileSync(binary)));
     rmSync(binary, { force: true });
-    return { result: judged, seconds: result.ms / 1000, err: result.err };
-}
-
-async function makeMesh(scene, stem, options) {
-    const { err, ...mesh } = await meshOf(scene.file, `${stem}.stl`, options);
     if (mesh.result === "ok" && await isRandom(scene, stem, options)) {
         mesh.result = "random";
     } else if (mesh.result === "empty") {
-        writeFileSync(`${stem}.stl`, "solid empty\nendsolid empty\n");
+        writeFileSync(stl, "solid empty\nendsolid empty\n");
     } else if (mesh.result === "error") {
-        mesh.reason = err.split("\n").find((line) => /ERROR|CGAL|rror/.test(line)) ?? "";
+        mesh.reason = result.err.split("\n").find((line) => /ERROR|CGAL|rror/.test(line)) ?? "";
     }
     return mesh;
 }
@@ -163,43 +157,16 @@ function sumViews(text) {
     return sum;
 }
 
-async function compare(scene, stem, stl, options) {
+async function agree(scene, stem, options) {
     const seed = parseInt(digest(relative(scene.root, scene.file)).slice(0, 4), 16);
     const result = await run(options.referee, ["--name=" + stem, "--facets=as-written", "--render",
-        `--depth-of-radius=${depthBar}`, `--seed=${seed}`, ...views, scene.file, stl],
+        `--depth-of-radius=${depthBar}`, `--seed=${seed}`, ...views, scene.file, `${stem}.stl`],
     { seconds: 4 * options.seconds, cwd: dirname(scene.file) });
     const sum = sumViews(result.out);
     const wrong = sum.off + sum.depth;
     if (sum.views < 4)
         return { result: "error", reason: firstError(result.err) || `exit status ${result.status}` };
     return { result: wrong <= wrongBar * numRays ? "ok" : "differs", ...sum };
-}
-
-// Whether csgcast agrees with OpenSCAD's mesh of the flattened text, which csgcast reads: then all
-// that differs is the six digits of its numbers. The text must stand for itself: no files, and no
-// nan or inf, which OpenSCAD does not read as it wrote them.
-async function isOfDigits(scene, stem, options) {
-    const csg = `${stem}.flat.csg`, flat = `${stem}.flat.scad`;
-    await run("openscad", ["--render", "-o", csg, scene.file],
-        { seconds: options.seconds, cwd: dirname(scene.file) });
-    const text = existsSync(csg) ? readFileSync(csg, "utf8") : "";
-    rmSync(csg, { force: true });
-    if (text === "" || /\bfile = "|\b(nan|inf)\b/.test(text))
-        return false;
-    writeFileSync(flat, text);
-    const mesh = await meshOf(flat, `${stem}.flat.stl`, options);
-    const same = mesh.result === "ok" &&
-        (await compare(scene, stem, `${stem}.flat.stl`, options)).result === "ok";
-    rmSync(flat);
-    rmSync(`${stem}.flat.stl`, { force: true });
-    return same;
-}
-
-async function agree(scene, stem, options) {
-    const found = await compare(scene, stem, `${stem}.stl`, options);
-    if (found.result === "differs" && await isOfDigits(scene, stem, options))
-        found.result = "digits";
-    return found;
 }
 
 // ---- the first picture ---------------------------------------------------------------------

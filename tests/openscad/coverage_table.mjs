@@ -57,8 +57,6 @@ ${without("random")} |
 | of these without OpenSCAD's kernel | ${native.length} \
 (${percent(native.length, meshed.length)}) |
 | agree with the mesh | ${agreeing.length} of ${compared.length} |
-| differ by the six digits of the flattened text, with whose mesh they agree | \
-${compared.filter((row) => row.agree === "digits").length} |
 ${timed.length === 0 ? "" : `| drawn without the kernel: first picture sooner than OpenSCAD's \
 preview | ${sooner.length} of ${timed.length}; time of OpenSCAD / csgcast ${round(ratio, 3)} at the \
 median |
@@ -101,8 +99,7 @@ ${summary(rows)}
 Agreement is that of 4 random views of 256x192 rays with OpenSCAD's own mesh (float vertices) in
 \`--facets=as-written\`: off silhouettes at most 2e-5 of the rays wrong; wrong is a hit instead of a
 miss or a depth that is off by more than 1e-5 of the scene's radius (more only where a surface is
-seen edge-on: 2e-6 of the largest coordinate along its normal, which is what six digits in the .csg
-do). Times are medians of ${options.turns} whole processes in turns, 512x512 pixels, in ms.
+seen edge-on: 2e-6 of the largest coordinate along its normal). Times are medians of ${options.turns} whole processes in turns, 512x512 pixels, in ms.
 
 ${reasons(rows) ? `## What was not drawn, or needed OpenSCAD's kernel\n\n${reasons(rows)}\n` : ""}
 ## Files that OpenSCAD meshes
