@@ -4,6 +4,7 @@
 
 /* Double-precision vectors, affine maps and boxes. Column vectors, as in OpenSCAD's multmatrix. */
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -98,6 +99,13 @@ static inline double csg_least(double a, double b)
 static inline double csg_most(double a, double b)
 {
     return b > a ? b : a;
+}
+
+/* Whether two numbers are the same but for the rounding of what they were computed from: within
+ * four units of the last place. 0.1 + 0.2 is 0.3. */
+static inline bool csg_nearly(double a, double b)
+{
+    return fabs(a - b) <= 4 * DBL_EPSILON * fmax(fabs(a), fabs(b));
 }
 
 void csg_box_extend(struct csg_box *box, struct csg_vec3 p);

@@ -44,7 +44,6 @@ static void enter_resize(const struct csg_walk *walk, uint32_t node, struct csg_
 /* What a node around the polyhedron does to its points. */
 static bool enter(struct csg_walk *walk, uint32_t node, struct csg_space *space)
 {
-    static const struct csg_log silent;
     const struct csg_builder *builder = walk->builder;
     const struct csg_node_ops *ops = csg_walk_ops(walk, node);
     if (!ops || !ops->enter || csg_walk_node(walk, node)->malformed)
@@ -54,7 +53,7 @@ static bool enter(struct csg_walk *walk, uint32_t node, struct csg_space *space)
     const struct csg_args args = {.args = walk->arguments.args.data,
                                   .num = walk->arguments.args.num,
                                   .parameters = ops->parameters,
-                                  .log = &silent,
+                                  .log = &csg_log_silent,
                                   .node = ops->name};
     ops->enter(&args, space);
     return true;
@@ -88,6 +87,6 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
         siblings = (struct siblings){around + 1, csg_walk_node(walk, around)->end,
                                      role == CSG_ROLE_DIFFERENCE || role == CSG_ROLE_INTERSECTION};
     }
-    to->map = space.map;
+    to->map = space.is_empty ? csg_map_identity : space.map; /* nothing will be seen of it */
     return true;
 }

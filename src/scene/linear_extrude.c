@@ -60,6 +60,10 @@ static void read_scale(const struct csg_args *args, struct extrusion *to)
     for (int i = 0; i < 2; i++)
         if (!(to->scale[i] > 0) || !isfinite(to->scale[i]))
             to->scale[i] = 0;
+        else if (csg_nearly(to->scale[i], 1))
+            to->scale[i] = 1;
+    if (csg_nearly(to->scale[0], to->scale[1]))
+        to->scale[1] = to->scale[0];
 }
 
 static void read_extrusion(const struct csg_args *args, struct extrusion *to)
@@ -69,7 +73,7 @@ static void read_extrusion(const struct csg_args *args, struct extrusion *to)
     read_scale(args, to);
     const double slices = csg_args_number(args, "slices", 0, NULL);
     to->twist = csg_args_number(args, "twist", 0, NULL);
-    if (!isfinite(to->twist))
+    if (!isfinite(to->twist) || csg_nearly(360, 360 + to->twist))
         to->twist = 0;
     to->slices = slices >= 1 && slices < INT_MAX ? (int)slices : 0;
     to->facets = csg_args_facets(args);

@@ -15,8 +15,8 @@ struct csg_tess_module {
     /*
      * Cuts the polygon, counter-clockwise, into triangles by GLU's sweep along x (Veach 1994), in
      * the order in which it keeps them; triangles has room for num. The result is their number,
-     * less than num - 2 where corners lie at one place, 0 where the polygon crosses itself, or
-     * there is no memory.
+     * less than num - 2 where corners lie at one place, 0 where the polygon crosses itself, a
+     * coordinate is not finite, or there is no memory.
      */
     size_t (*sweep)(const float (*points)[2], uint32_t num, uint32_t (*triangles)[3]);
 };

@@ -5,6 +5,8 @@
  */
 #include "tess/module.h"
 
+#include <math.h>
+
 #include <GL/glu.h>
 
 /* What GLU tells so far. */
@@ -76,10 +78,19 @@ static void turn_round(uint32_t (*triangles)[3], size_t num)
         }
 }
 
+/* GLU does not return from others. */
+static bool are_finite(const float (*points)[2], uint32_t num)
+{
+    bool finite = true;
+    for (uint32_t i = 0; i < num; i++)
+        finite = finite && isfinite(points[i][0]) && isfinite(points[i][1]);
+    return finite;
+}
+
 static size_t sweep_polygon(const float (*points)[2], uint32_t num, uint32_t (*triangles)[3])
 {
     struct sweep sweep = {.triangles = triangles, .room = num};
-    GLUtesselator *tess = gluNewTess();
+    GLUtesselator *tess = are_finite(points, num) ? gluNewTess() : NULL;
     if (!tess)
         return 0;
     run(tess, points, num, &sweep);

@@ -68,6 +68,20 @@ for scene in flush gap typed; do
     is 1 shared
 done
 
+# What differs by the rounding of its computation only is the same: cylinders, even scales, no twist.
+cat >same.scad <<END
+a = 0.1 + 0.2;
+difference() { cylinder(r = 0.3, h = 1); translate([0, 0, -1]) cylinder(r1 = 0.3, r2 = a, h = 3); }
+translate([9, 0]) linear_extrude(1, scale = [a / 0.3, 1], twist = a - 0.3) circle(1);
+translate([18, 0]) linear_extrude(1, scale = [a, 0.3]) circle(1);
+END
+all same same.scad
+is 4 leaves
+is 4 exact
+is 3 quadrics
+is 0 facetted
+is 0 triangles
+
 # Right angles are exact, others as good as a double.
 echo 'rotate([90, 0, 90]) cube([1 / 3, 2, 3]); rotate([0, 0, 30]) cube([0.1, 0.1, 1 / 3]);' >turned.scad
 all "turned" turned.scad

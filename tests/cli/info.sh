@@ -93,4 +93,16 @@ expect 1 "no such leaf" bench part.csg "${small[@]}" --edit=7
 expect 2 "no frames" bench part.csg --frames=0
 expect 2 "bench of no scene" bench
 
+# GLU's sweep does not return from coordinates that are no numbers.
+for number in nan inf 1e300; do
+    cat >bent.csg <<END
+multmatrix([[1, $number, 0, 0], [0, 1, $number, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+	polyhedron(points = [[0, 0, 0], [9, 0, 0], [9, 9, 1], [0, 9, 0], [5, 12, 0], [4, 4, 9]],
+		faces = [[4, 3, 2, 1, 0], [0, 1, 5], [1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 0, 5]]);
+}
+END
+    expect 0 "a bent face under a matrix of $number" info bent.csg --no-gl
+    check "messages have a place" bash -c '! grep -q "(null)" err'
+done
+
 finish

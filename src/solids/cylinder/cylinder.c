@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder(h = 1, r1 = 1, r2 = 1, center = false), also with r, d, d1, d2, as in OpenSCAD.
- * Canonical forms: the unit cylinder x^2 + y^2 = 1 where r1 == r2 to the last bit, else the cone
- * x^2 + y^2 = z^2. The caps are planes.
+ * Canonical forms: the unit cylinder x^2 + y^2 = 1 where r1 and r2 are nearly equal, else the
+ * cone x^2 + y^2 = z^2. The caps are planes.
  */
 #include "solids/facets.h"
 #include "solids/rings.h"
@@ -53,7 +53,7 @@ static void fill_quadric(struct csg_shape *shape, const struct csg_ring rings[2]
     shape->has_quadric = true;
     quadric->to_canon = csg_map_scaling(csg_vec3(1 / largest, 1 / largest, 1 / largest));
     quadric->diag[0] = quadric->diag[1] = 1;
-    if (low.radius == high.radius) {
+    if (csg_nearly(low.radius, high.radius)) {
         quadric->diag[3] = -1;
         return;
     }
