@@ -24,8 +24,10 @@ struct csg_hit {
 };
 
 struct csg_ray_scratch;
+struct csg_tree_bounds;
 
-struct csg_ray_scratch *csg_ray_scratch_create(void);
+/* bounds: of the scene, to leave subtrees out, and to stay as long; NULL: all is asked. */
+struct csg_ray_scratch *csg_ray_scratch_create(const struct csg_tree_bounds *bounds);
 void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch);
 
 /*
@@ -53,6 +55,7 @@ struct csg_reference_part {
     int first_row, num_rows;
     bool (*wants)(const void *user, int x, int y);
     const void *user;
+    bool culls; /* asks only subtrees whose boxes a ray meets; the oracle asks all */
 };
 
 /* Fills these pixels of image. false: out of memory. */

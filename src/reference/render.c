@@ -4,6 +4,7 @@
 
 #include "common/parallel.h"
 #include "csg/membership.h"
+#include "reference/bounds.h"
 #include "reference/reference.h"
 
 struct job {
@@ -11,7 +12,8 @@ struct job {
     const struct csg_reference_params *params;
     const struct csg_reference_part *part;
     const struct csgcast_image *image;
-    double near; /* where rays start */
+    const struct csg_tree_bounds *bounds; /* may be NULL */
+    double near;                 /* where rays start */
     atomic_bool failed;
 };
 
@@ -134,7 +136,7 @@ static void cast_row(void *user, size_t task)
     struct job *job = user;
     const struct csg_reference_part *part = job->part;
     const int y = part->first_row + (int)task;
-    struct csg_ray_scratch *scratch = csg_ray_scratch_create();
+    struct csg_ray_scratch *scratch = csg_ray_scratch_create(job->bounds);
     bool failed = !scratch;
     for (int x = 0; x < job->params->width && !failed; x++)
         if (!part->wants || part->wants(part->user, x, y))
@@ -148,7 +150,13 @@ bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
                           const struct csg_reference_part *part, const struct csgcast_image *image)
 {
-    struct job job = {scene, params, part, image, near_of(scene, params), false};
-    csg_parallel(params->num_threads, (size_t)part->num_rows, cast_row, &job);
-    return !atomic_load(&job.failed);
+    struct csg_tree_bounds bounds = {{NULL}};
+    struct job job = {.scene = scene, .params = params, .part = part, .image = image};
+    job.bounds = part->culls ? &bounds : NULL;
+    job.near = near_of(scene, params);
+    const bool ok = !part->culls || csg_tree_bounds_init(&bounds, scene);
+    if (ok)
+        csg_parallel(params->num_threads, (size_t)part->num_rows, cast_row, &job);
+    csg_tree_bounds_finish(&bounds);
+    return ok && !atomic_load(&job.failed);
 }

@@ -4,6 +4,7 @@
 
 #include "csg/object.h"
 #include "reference/crossings.h"
+#include "reference/bounds.h"
 
 /* One operand's crossings: a run of the pool. */
 struct list {
@@ -17,7 +18,15 @@ struct event {
     uint32_t operand;
 };
 
+/* A node that the ray asks, or a subtree that it misses. */
+struct visit {
+    uint32_t node;
+    bool is_missed;
+};
+
 struct csg_ray_scratch {
+    const struct csg_tree_bounds *bounds; /* may be NULL */
+    CSG_ARRAY(struct visit) visits;
     CSG_ARRAY(struct csg_crossing) pool;
     CSG_ARRAY(struct list) lists; /* of the operands that wait for their node */
     CSG_ARRAY(struct event) events;
@@ -25,15 +34,19 @@ struct csg_ray_scratch {
     struct csg_surface_crossings surface;
 };
 
-struct csg_ray_scratch *csg_ray_scratch_create(void)
+struct csg_ray_scratch *csg_ray_scratch_create(const struct csg_tree_bounds *bounds)
 {
-    return calloc(1, sizeof(struct csg_ray_scratch));
+    struct csg_ray_scratch *scratch = calloc(1, sizeof *scratch);
+    if (scratch)
+        scratch->bounds = bounds;
+    return scratch;
 }
 
 void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch)
 {
     if (!scratch)
         return;
+    free(scratch->visits.data);
     free(scratch->pool.data);
     free(scratch->lists.data);
     free(scratch->events.data);
@@ -162,34 +175,15 @@ static bool merge(struct csg_ray_scratch *scratch, bool all, size_t num)
     return csg_array_push(&scratch->lists, list);
 }
 
-static bool evaluate(const struct csgcast_scene *scene, const struct csg_object *object,
-                     const struct csg_ray *ray, struct csg_ray_scratch *scratch)
-{
-    const struct csg_node *nodes = scene->trees[object->layer].data;
-    scratch->pool.num = scratch->lists.num = 0;
-    for (uint32_t i = object->end; i-- > object->begin;) {
-        if (nodes[i].op == CSG_LEAF) {
-            if (!push_leaf(scratch, scene, &nodes[i], ray))
-                return false;
-            continue;
-        }
-        size_t num = 0;
-        for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end)
-            num++;
-        if (!merge(scratch, nodes[i].op == CSG_AND, num))
-            return false;
-    }
-    return true;
-}
-
-/* Widened a little: rounding here must not lose a grazing hit. */
-static bool meets_box(const struct csg_box *box, const struct csg_ray *ray)
+/* The ray from there on; -INFINITY: the whole line. Widened a little: rounding here must not lose a
+ * grazing hit. */
+static bool meets_box(const struct csg_box *box, const struct csg_ray *ray, double from)
 {
     const double lo[3] = {box->lo.x, box->lo.y, box->lo.z},
                  hi[3] = {box->hi.x, box->hi.y, box->hi.z};
     const double org[3] = {ray->org.x, ray->org.y, ray->org.z};
     const double dir[3] = {ray->dir.x, ray->dir.y, ray->dir.z};
-    double tnear = ray->tnear, tfar = INFINITY;
+    double tnear = from, tfar = INFINITY;
     for (int i = 0; i < 3; i++) {
         const double margin = 1e-9 * (fabs(lo[i]) + fabs(hi[i]) + fabs(org[i]));
         const double a = (lo[i] - margin - org[i]) / dir[i], b = (hi[i] + margin - org[i]) / dir[i];
@@ -199,6 +193,56 @@ static bool meets_box(const struct csg_box *box, const struct csg_ray *ray)
         tfar = fmin(tfar, fmax(a, b));
     }
     return tnear <= tfar * (tfar > 0 ? 1 + 1e-12 : 1 - 1e-12);
+}
+
+/* The nodes that the line of the ray meets, in their order, each before what is below it. */
+static bool find_visits(const struct csg_object *object, const struct csg_node *nodes,
+                        const struct csg_ray *ray, struct csg_ray_scratch *scratch)
+{
+    const struct csg_tree_bounds *all = scratch->bounds;
+    const struct csg_node_bounds *bounds = all ? all->nodes[object->layer] : NULL;
+    bool ok = true;
+    scratch->visits.num = 0;
+    for (uint32_t i = object->begin; i < object->end && ok;) {
+        const struct csg_box *box = bounds ? &bounds[i].box : NULL;
+        const bool is_missed = box && (csg_box_is_empty(box) || !meets_box(box, ray, -INFINITY));
+        ok = csg_array_push(&scratch->visits, ((struct visit){i, is_missed}));
+        i = is_missed ? nodes[i].end : i + 1;
+    }
+    return ok;
+}
+
+static bool push_missed(struct csg_ray_scratch *scratch, uint8_t layer, uint32_t node)
+{
+    const struct list list = {scratch->pool.num, scratch->bounds->nodes[layer][node].inside};
+    return csg_array_push(&scratch->lists, list);
+}
+
+static bool merge_children(struct csg_ray_scratch *scratch, const struct csg_node *nodes,
+                           uint32_t node)
+{
+    size_t num = 0;
+    for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end)
+        num++;
+    return merge(scratch, nodes[node].op == CSG_AND, num);
+}
+
+static bool evaluate(const struct csgcast_scene *scene, const struct csg_object *object,
+                     const struct csg_ray *ray, struct csg_ray_scratch *scratch)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    bool ok = find_visits(object, nodes, ray, scratch);
+    scratch->pool.num = scratch->lists.num = 0;
+    for (size_t i = scratch->visits.num; ok && i-- > 0;) {
+        const struct visit visit = scratch->visits.data[i];
+        if (visit.is_missed)
+            ok = push_missed(scratch, object->layer, visit.node);
+        else if (nodes[visit.node].op == CSG_LEAF)
+            ok = push_leaf(scratch, scene, &nodes[visit.node], ray);
+        else
+            ok = merge_children(scratch, nodes, visit.node);
+    }
+    return ok;
 }
 
 /* The object's first change after tnear: its place in the pool, and whether the ray enters. */
@@ -221,7 +265,7 @@ static bool try_object(const struct csgcast_scene *scene, const struct csg_objec
                        const struct csg_ray *ray, struct csg_ray_scratch *scratch,
                        struct best *best)
 {
-    if (!meets_box(&object->box, ray))
+    if (!meets_box(&object->box, ray, ray->tnear))
         return true;
     if (!evaluate(scene, object, ray, scratch))
         return false;

@@ -30,7 +30,7 @@ bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_req
                                                 renderer->num_threads};
     const struct band band = {visible, request->image->rgba8, request->width,
                               request->height - first_row - num_rows, num_rows};
-    const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band};
+    const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band, true};
     size_t num = 0;
     for (int y = band.top; y < band.top + num_rows; y++)
         for (int x = 0; x < request->width; x++)

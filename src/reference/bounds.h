@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_REFERENCE_BOUNDS_H
+#define CSG_REFERENCE_BOUNDS_H
+
+/*
+ * What a line need not ask: subtrees whose leaves' boxes it misses. Along such a line a subtree is
+ * what it is where no leaf is.
+ */
+
+#include "csg/scene.h"
+
+struct csg_node_bounds {
+    struct csg_box box; /* of the leaves below, grown by what a shared carrier may be off */
+    bool inside;        /* what the node is outside of all of them */
+};
+
+struct csg_tree_bounds {
+    struct csg_node_bounds *nodes[CSG_NUM_LAYERS]; /* as those of the scene's trees */
+};
+
+/* false: out of memory. */
+bool csg_tree_bounds_init(struct csg_tree_bounds *bounds, const struct csgcast_scene *scene);
+void csg_tree_bounds_finish(struct csg_tree_bounds *bounds);
+
+#endif
