@@ -76,8 +76,8 @@ static bool add_dxf(struct source *source, double scale, struct csg_drawing *dra
         csg_drawing_cut(drawing, draw);
         csg_report_error(source->walk->builder->report, CSGCAST_MESSAGE_SCENE,
                          csg_walk_node(source->walk, source->node)->place,
-                         "%.80s: blocks and curves of more than %d lines; import a single layer, or "
-                         "use a smaller $fn",
+                         "%.80s: blocks and curves of more than %d lines; import a single layer, "
+                         "or use a smaller $fn",
                          source->name, CSG_DXF_MAX_LINES);
     }
     return true;
@@ -141,7 +141,8 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
         result = csg_svg_read(&source->bytes, &params, drawing, &error);
     if (result == CSG_SVG_FOREIGN)
         csg_walk_unsupported(source->walk, source->node,
-                             "import: %.100s is compressed, or its numbers are too large", source->name);
+                             "import: %.100s is compressed, or its numbers are too large",
+                             source->name);
     else if (result == CSG_SVG_ENTITY)
         csg_import_refuse(source->walk, source->node, source->name, &error);
     else if (result == CSG_SVG_MALFORMED)

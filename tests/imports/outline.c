@@ -156,8 +156,8 @@ static bool print_outline(const struct csg_drawing *drawing, bool is_union)
         }
     const bool ok =
         module && paths &&
-        module->combine(is_union ? CSG_CLIP_UNION : CSG_CLIP_CLEAN, (uint32_t)drawing->figures.num, paths, num, &sink) ==
-            CSG_CLIP_DONE;
+        module->combine(is_union ? CSG_CLIP_UNION : CSG_CLIP_CLEAN,
+                        (uint32_t)drawing->figures.num, paths, num, &sink) == CSG_CLIP_DONE;
     free(paths);
     return ok;
 }
@@ -172,7 +172,8 @@ int main(int argc, char **argv)
             fprintf(stderr, "outline: %s?\n", argv[i]);
             return 2;
         }
-    const bool ok = argc > 1 && read_file(argv[1], &options, &drawing) && print_outline(&drawing, strstr(argv[1], ".svg") != NULL);
+    const bool ok = argc > 1 && read_file(argv[1], &options, &drawing) &&
+                    print_outline(&drawing, strstr(argv[1], ".svg") != NULL);
     csg_drawing_finish(&drawing);
     return ok ? 0 : 1;
 }
