@@ -59,8 +59,9 @@ static uint64_t add_quadric(uint64_t hash, const struct csgcast_scene *scene, ui
     const struct csg_carriers *carriers = scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric = csg_carrier_quadric(scene, carriers, face.carrier);
-    hash = add_doubles(hash, quadric->diag, 4);
-    hash = add_doubles(hash, &quadric->linear, 1);
+    const double form[5] = {quadric->diag[0], quadric->diag[1], quadric->diag[2],
+                            quadric->diag[3], quadric->linear};
+    hash = add_doubles(hash, form, 5);
     hash = add_doubles(hash, &quadric->to_canon.m[0][0],
                        sizeof quadric->to_canon.m / sizeof(double));
     return add_number(add_number(hash, face.flipped), (uint64_t)(carriers->sheets[leaf] + 1));

@@ -119,7 +119,7 @@ static bool measure_discs(const struct csg_shape *shape, const struct csg_quadri
 static bool measure_quadric(const struct csg_shape *shape, const struct csg_quadric *quadric,
                             enum csg_outline *kind, struct csg_outline_ball *ball, double *numbers)
 {
-    const double *d = quadric->diag;
+    const int8_t *d = quadric->diag;
     struct csg_map from_canon;
     *kind = CSG_OUTLINE_BALL;
     if (shape->num_planes == 0 && csg_quadric_ball(quadric, &ball->center, &ball->radius))

@@ -68,7 +68,7 @@ static bool is_round(const struct csg_map *map, int num)
 static bool has_diagonal(const struct csg_quadric *quadric, double x, double y, double z,
                          double constant)
 {
-    const double *diag = quadric->diag;
+    const int8_t *diag = quadric->diag;
     return diag[0] == x && diag[1] == y && diag[2] == z && diag[3] == constant &&
            quadric->linear == 0;
 }

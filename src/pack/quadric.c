@@ -89,7 +89,8 @@ static void mix(double v[4])
 
 static void diagonalise(struct pencil *pencil, const struct csg_quadric *quadric)
 {
-    memcpy(pencil->q, quadric->diag, sizeof pencil->q);
+    for (int i = 0; i < 4; i++)
+        pencil->q[i] = quadric->diag[i];
     if (quadric->linear == 0)
         return;
     pencil->q[2] = 0.5 * quadric->linear;
@@ -408,7 +409,7 @@ void csg_screen_normal(const struct csg_screen *screen, struct csg_pixel at,
                        const struct csg_quadric *quadric, const float base[3], float terms[4][3])
 {
     const struct pencil pencil = pencil_at(screen, at, &quadric->to_canon);
-    const double *d = quadric->diag;
+    const int8_t *d = quadric->diag;
     struct csg_vec3 normals[4];
     double largest = 0;
     for (int i = 0; i < 4; i++) {

@@ -28,7 +28,7 @@ bool csg_shape_is_ball(const struct csg_shape *shape, struct csg_ball *ball)
 {
     static const double tolerance = 1e-12;
     const double(*m)[4] = shape->quadric.to_canon.m;
-    const double *diag = shape->quadric.diag;
+    const int8_t *diag = shape->quadric.diag;
     double dots[3][3];
     if (!shape->has_quadric || shape->num_planes > 0 || diag[0] != 1 || diag[1] != 1 ||
         diag[2] != 1 || diag[3] != -1 || shape->quadric.linear != 0)

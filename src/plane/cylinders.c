@@ -24,7 +24,7 @@ static struct csg_vec3 row(const struct csg_map *map, int i)
 
 static bool is_cylinder(const struct csg_shape *shape)
 {
-    const double *diag = shape->quadric.diag;
+    const int8_t *diag = shape->quadric.diag;
     return shape->has_quadric && shape->num_planes == 2 && diag[0] == 1 && diag[1] == 1 &&
            diag[2] == 0 && diag[3] == -1;
 }

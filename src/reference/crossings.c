@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/crossings.h"
 
+#include <stdlib.h>
+
 double csg_cross_plane(const struct csg_plane *plane, const struct csg_ray *ray, double *along)
 {
     *along = csg_dot(plane->normal, ray->dir);
@@ -12,9 +14,9 @@ double csg_cross_plane(const struct csg_plane *plane, const struct csg_ray *ray,
 #define NEARLY_PARALLEL 1e-8
 
 /* Where p + t d is nearest to the quadric's middle, or to its axis where it has one. */
-static double nearest_to_middle(const double q[4], struct csg_vec3 p, struct csg_vec3 d)
+static double nearest_to_middle(const int8_t q[4], struct csg_vec3 p, struct csg_vec3 d)
 {
-    struct csg_vec3 w = csg_vec3(fabs(q[0]), fabs(q[1]), fabs(q[2]));
+    struct csg_vec3 w = csg_vec3(abs(q[0]), abs(q[1]), abs(q[2]));
     double dd = w.x * d.x * d.x + w.y * d.y * d.y + w.z * d.z * d.z;
     if (dd <= NEARLY_PARALLEL * csg_dot(d, d)) {
         w = csg_vec3(1, 1, 1);
@@ -28,7 +30,7 @@ static double nearest_to_middle(const double q[4], struct csg_vec3 p, struct csg
 int csg_cross_quadric(const struct csg_quadric *quadric, const struct csg_ray *ray, double t[2],
                       bool *before)
 {
-    const double *q = quadric->diag;
+    const int8_t *q = quadric->diag;
     const struct csg_vec3 d = csg_map_direction(&quadric->to_canon, ray->dir);
     struct csg_vec3 p = csg_map_point(&quadric->to_canon, ray->org);
     const double shift = nearest_to_middle(q, p, d);

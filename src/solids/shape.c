@@ -18,11 +18,18 @@ void csg_shape_finish(struct csg_shape *shape)
     shape->num_planes = 0;
 }
 
+/* There is room for 1, 2, 4, 6, 8, 12, 16, 24 ... planes, the first of these that is enough. */
+static size_t room_for(size_t num)
+{
+    size_t power = 1;
+    while (2 * power <= num)
+        power *= 2;
+    const size_t step = power > 2 ? power / 2 : power;
+    return (num + step - 1) / step * step;
+}
+
 bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
 {
-    size_t room = 1;
-    while (room < shape->num_planes)
-        room *= 2;
     *copy = *shape;
     copy->planes = NULL;
     copy->surface = NULL;
@@ -30,7 +37,7 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
         return false;
     if (!shape->num_planes)
         return true;
-    copy->planes = malloc(room * sizeof *copy->planes);
+    copy->planes = malloc(room_for(shape->num_planes) * sizeof *copy->planes);
     if (copy->planes)
         memcpy(copy->planes, shape->planes, shape->num_planes * sizeof *copy->planes);
     return copy->planes != NULL;
@@ -84,13 +91,12 @@ bool csg_shape_is_paired(const struct csg_shape *shape)
     return true;
 }
 
-/* There is room for the next power of two of planes: only this function makes it. */
 static bool make_room(struct csg_shape *shape)
 {
-    const size_t num = shape->num_planes;
-    if (num & (num - 1))
+    const size_t room = room_for(shape->num_planes + 1);
+    if (room == room_for(shape->num_planes))
         return true;
-    struct csg_plane *planes = realloc(shape->planes, (num ? 2 * num : 1) * sizeof *planes);
+    struct csg_plane *planes = realloc(shape->planes, room * sizeof *planes);
     if (planes)
         shape->planes = planes;
     return planes != NULL;
@@ -112,7 +118,7 @@ bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double
 double csg_quadric_value(const struct csg_quadric *quadric, struct csg_vec3 x)
 {
     const struct csg_vec3 p = csg_map_point(&quadric->to_canon, x);
-    const double *diag = quadric->diag;
+    const int8_t *diag = quadric->diag;
     return diag[0] * p.x * p.x + diag[1] * p.y * p.y + diag[2] * p.z * p.z +
            2 * quadric->linear * p.z + diag[3];
 }
@@ -129,8 +135,8 @@ struct csg_vec3 csg_quadric_gradient(const struct csg_quadric *quadric, struct c
 bool csg_quadric_ball(const struct csg_quadric *quadric, struct csg_vec3 *center, double *radius)
 {
     const double(*m)[4] = quadric->to_canon.m;
-    const double *d = quadric->diag,
-                 size = m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0];
+    const int8_t *d = quadric->diag;
+    const double size = m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0];
     if (d[0] != 1 || d[1] != 1 || d[2] != 1 || d[3] != -1 || quadric->linear != 0)
         return false;
     for (int i = 0; i < 3; i++)

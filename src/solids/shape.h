@@ -9,6 +9,7 @@
  */
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "common/linear.h"
 
@@ -26,8 +27,8 @@ struct csg_plane {
  * is -0.5 or 0.5 and diag[2] = diag[3] = 0: p.x^2 + p.y^2 = p.z is diag {1, 1, 0, 0}, linear -0.5.
  */
 struct csg_quadric {
-    double diag[4];
-    double linear;
+    int8_t diag[4];
+    float linear;
     struct csg_map to_canon;
 };
 
@@ -37,14 +38,14 @@ struct csg_surface;
 struct csg_shape {
     struct csg_surface *surface; /* owned; NULL: bounded by planes and a quadric (mesh/surface.h) */
     struct csg_plane *planes;    /* owned, malloc'ed; NULL when there are none */
-    size_t num_planes;
+    uint32_t num_planes;
     bool has_quadric;
     bool facetted; /* OpenSCAD's facets instead of the true quadric */
     /* The set is convex: a line meets it in one interval. Always true without a quadric. With one,
      * f must have at most one negative eigenvalue (as a 4x4 form), and a solid on one sheet of a
      * double cone or two-sheeted hyperboloid says which: sheet = sign of canonical p.z there. */
     bool convex;
-    int sheet; /* -1, 0 (there is only one), 1 */
+    int8_t sheet; /* -1, 0 (there is only one), 1 */
     struct csg_quadric quadric;
     struct csg_box bounds;  /* of the solid, in the space of `frame`; infinite if unbounded */
     struct csg_map frame;   /* from the space of `bounds` to the space of the shape */

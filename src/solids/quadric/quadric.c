@@ -105,9 +105,9 @@ static bool read_form(const struct csg_args *args, struct csg_form *form, struct
 
 /* ---- the solid ---------------------------------------------------------------------------- */
 
-static int sign_of(double x)
+static int8_t sign_of(double x)
 {
-    return (x > 0) - (x < 0);
+    return (int8_t)((x > 0) - (x < 0));
 }
 
 static int count_sign(const struct csg_normal_form *normal, int sign)
@@ -188,7 +188,7 @@ static void fill_quadric(const struct csg_normal_form *normal, struct csg_quadri
     if (normal->slope_axis < 0)
         return;
     /* side f / unit = ... + side (2 slope u + constant) / unit = ... - p.z */
-    quadric->linear = -0.5 * side;
+    quadric->linear = (float)(-0.5 * side);
     set_row(&quadric->to_canon, 2, -side * 2 * normal->slope / unit,
             normal->axis[normal->slope_axis], -side * normal->constant / unit);
 }
