@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "tile/range.h"
 
+const struct csg_leaf_range csg_leaf_nowhere = {
+    {INFINITY, INFINITY}, {-INFINITY, -INFINITY}, false};
+
 struct csg_tile_box csg_tile_box(const double center[2], const double half[2])
 {
     struct csg_tile_box box;
@@ -13,7 +16,7 @@ struct csg_tile_box csg_tile_box(const double center[2], const double half[2])
 }
 
 /* Range of u (slope + curve u) over a range of u. */
-static struct csg_range parabola(struct csg_range u, double slope, double curve)
+static inline struct csg_range parabola(struct csg_range u, double slope, double curve)
 {
     const double a = u.lo * (slope + curve * u.lo), b = u.hi * (slope + curve * u.hi);
     struct csg_range range = {csg_smaller(a, b), csg_larger(a, b)};
@@ -73,24 +76,23 @@ static void sooner(struct csg_range *a, struct csg_range b)
     a->hi = csg_smaller(a->hi, b.hi);
 }
 
-/* Narrows the leaf by its quadric; false where no ray of the tile is inside. */
-static bool clip_quadric(struct csg_leaf_range *range, const struct csg_quadric_range *quadric)
+/* Narrows the leaf by its quadric, which rays of the tile may be inside of. */
+static void clip_quadric(struct csg_leaf_range *range, const struct csg_quadric_range *quadric)
 {
     switch (quadric->region) {
     case CSG_QUADRIC_BETWEEN:
         later(&range->entry, quadric->first);
         sooner(&range->exit, quadric->second);
         range->solid &= quadric->always;
-        return !quadric->never;
+        break;
     case CSG_QUADRIC_BEFORE:
         sooner(&range->exit, quadric->first);
-        return true;
+        break;
     case CSG_QUADRIC_AFTER:
         later(&range->entry, quadric->second);
-        return true;
+        break;
     default:
         range->solid &= quadric->never;
-        return true;
     }
 }
 
@@ -116,7 +118,7 @@ static struct csg_leaf_range surface_range(const struct csg_surface_view *view,
     if (!met && view->turns != 0)
         return (struct csg_leaf_range){{-far, -far}, {far, far}, true};
     if (!met)
-        return (struct csg_leaf_range){{far, far}, {-far, -far}, false};
+        return csg_leaf_nowhere;
     const struct csg_range range = {view->turns != 0 ? -far : keys[0],
                                     view->surface->open ? far : keys[1]};
     return (struct csg_leaf_range){range, range, false};
@@ -142,14 +144,16 @@ struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
 {
     if (leaf->flags & CSG_RECORD_SURFACE)
         return surface_range(&terms->views.data[leaf->view], tile);
+    const bool has_quadric = leaf->flags & CSG_RECORD_QUADRIC;
+    const uint32_t place = leaf->num_entries + leaf->num_exits;
+    struct csg_quadric_range curved = {.never = false};
+    if (has_quadric)
+        curved = csg_range_of_quadric(csg_terms_texel(terms, leaf, place), tile);
+    if (curved.never && curved.region == CSG_QUADRIC_BETWEEN)
+        return csg_leaf_nowhere;
     struct csg_leaf_range range = flat_range(terms, leaf, tile);
-    if (leaf->flags & CSG_RECORD_QUADRIC) {
-        const uint32_t place = leaf->num_entries + leaf->num_exits;
-        const struct csg_quadric_range curved =
-            csg_range_of_quadric(csg_terms_texel(terms, leaf, place), tile);
-        if (!clip_quadric(&range, &curved))
-            range.exit.hi = -INFINITY;
-    }
+    if (has_quadric)
+        clip_quadric(&range, &curved);
     range.solid &= range.entry.hi < range.exit.lo;
     return range;
 }

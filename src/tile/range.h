@@ -25,6 +25,9 @@ struct csg_leaf_range {
         solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
 
+/* Of a leaf that no ray meets. */
+extern const struct csg_leaf_range csg_leaf_nowhere;
+
 /* fmax and fmin but for what is no number: without a call, which tiles would make by the million.
  */
 static inline double csg_larger(double a, double b)

@@ -89,13 +89,12 @@ static bool is_in_rect(const struct csg_rect *rect, const struct task *task)
 static struct csg_leaf_range leaf_range(const struct tiler *tiler, const struct task *task,
                                         const struct csg_tile_box *box, uint32_t leaf)
 {
-    const struct csg_leaf_range nowhere = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, false};
     const size_t num_leaves = tiler->terms->scene->num_leaves;
     if (leaf >= num_leaves)
         return tiler->stacks.data[leaf - num_leaves];
     const struct csg_leaf_terms *terms = csg_terms_of(tiler->terms, leaf);
     if (!tiler->draw->around_eye && !is_in_rect(&terms->rect, task))
-        return nowhere;
+        return csg_leaf_nowhere;
     return csg_range_of_leaf(tiler->terms, terms, box);
 }
 
