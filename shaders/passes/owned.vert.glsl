@@ -2,9 +2,9 @@
 /* Members of a crowd where they own pixels, one instance for all: struct csg_owned_instance in
  * src/crowd/run.h. */
 
-layout(location = 0) in vec4 csg_rect;    /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in ivec4 csg_range;  /* begin, end; places of the first one's terms and block */
-layout(location = 2) in int csg_width;    /* of the picture of owners */
+layout(location = 0) in vec4 csg_rect;   /* lo x, lo y, hi x, hi y in clip space */
+layout(location = 1) in ivec4 csg_range; /* begin, end; places of the first one's terms and block */
+layout(location = 2) in int csg_width;   /* of the picture of owners */
 
 flat out ivec4 csg_members;
 flat out ivec2 csg_row; /* numbers a row, number of the band's first pixel */

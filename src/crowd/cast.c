@@ -215,9 +215,9 @@ WIDE void contend(const struct csg_cast *cast, float dx, float dy, int num, uint
         const bool met = (near <= spans.exit_hi[i]) & (near <= keys[i]) & (i < num);
         const bool alone = far < least[i];
         shows |= met ? bits[i] : 0;
-        with_others |= met & !alone ? bits[i] : 0;
+        with_others |= (met & !alone) ? bits[i] : 0;
         const float nearer = near < least[i] ? near : least[i];
-        keys[i] = met & (far < keys[i]) ? far : keys[i];
+        keys[i] = (met & (far < keys[i])) ? far : keys[i];
         least[i] = met ? alone ? near : nearer : least[i];
         who[i] = met ? alone ? me : CSG_SEVERAL : who[i];
     }

@@ -60,7 +60,7 @@ bool csg_relief_may_show(const struct csg_relief *relief, float key,
 bool csg_relief_draw(struct csg_relief *relief, const struct csg_cast *cast, uint32_t who,
                      const struct csg_pixels *pixels);
 
-/* Narrows pixels to those at which the member may show, of all or of those at which others may, too.
+/* Narrows pixels to those at which the member may show, of all or of those at which others may.
  * false: there is none. */
 bool csg_relief_narrow(const struct csg_relief *relief, const struct csg_cast *cast, bool contested,
                        struct csg_pixels *pixels);

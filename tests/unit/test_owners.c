@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Owners of pixels: at each pixel the sphere that is the nearest in double is its owner, or is drawn
- * by itself in a rectangle that holds the pixel. Small spheres, large ones, and some that coincide.
+ * Owners of pixels: at each pixel the sphere that is the nearest in double is its owner, or is
+ * drawn by itself in a rectangle that holds the pixel. Small spheres, large ones, and some that
+ * coincide or nearly do.
  */
 #include <csgcast/csgcast.h>
 #include <math.h>
@@ -28,7 +29,9 @@ static struct csgcast_scene *random_scene(void)
     size_t num = 0;
     double r = 0, x = 0, y = 0, z = 0;
     for (int i = 0; i < num_spheres; i++) {
-        if (i % 20 != 19) { /* else the last one again */
+        if (i % 20 == 9) {
+            r *= 1 + 1e-7; /* the last one, nearly */
+        } else if (i % 20 != 19) { /* the last one again */
             r = i % 50 == 0 ? between(0.3, 0.6) : between(0.02, 0.15);
             x = between(-2, 2);
             y = between(-2, 2);
@@ -36,7 +39,7 @@ static struct csgcast_scene *random_scene(void)
         }
         num += (size_t)snprintf(text + num, sizeof text - num,
                                 "multmatrix([[1,0,0,%.6g],[0,1,0,%.6g],[0,0,1,%.6g],[0,0,0,1]]) "
-                                "sphere(r = %.6g);\n",
+                                "sphere(r = %.12g);\n",
                                 x, y, z, r);
     }
     return csgcast_scene_parse(text, num, NULL);
