@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+#   messages.sh CSGCAST
+#
+# What csgcast says of files that are broken, or that want too much: with the place in the scene and
+# in the file, soon, and without reading any other file.
+
+set -eu
+csgcast=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+failed=0
+
+# says FILE TEXT: what info says of a scene that imports the file. It may not ask openscad.
+says()
+{
+    echo "import(file = \"$1\");" >scene.csg
+    CSGCAST_CACHE= timeout 60 "$csgcast" info --no-handoff scene.csg >out 2>&1 || true
+    if ! grep -qF "$2" out; then
+        echo "FAIL $1: no '$2' in"
+        cat out
+        failed=1
+    fi
+}
+
+# A block that is inserted in itself 40 times: 2^40 lines.
+dxf_bomb()
+{
+    printf '0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nA\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n1\n'
+    for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 \
+        31 32 33 34 35 36 37 38 39 40; do
+        printf '0\nINSERT\n2\nA\n10\n%s\n20\n1\n' "$i"
+    done
+    printf '0\nENDBLK\n0\nENDSEC\n0\nEOF\n'
+}
+
+# Entities that stand for ten of the one before.
+xml_bomb()
+{
+    printf '<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa">'
+    for pair in ba cb dc ed fe gf hg; do
+        one="&${pair#?};"
+        printf '<!ENTITY %s "%s">' "${pair%?}" "$one$one$one$one$one$one$one$one$one$one"
+    done
+    printf ']><svg><path d="&h;"/></svg>'
+}
+
+place='scene.csg:1:1: import:'
+
+printf '0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n1,5\n0\nENDSEC\n' >comma.dxf
+says comma.dxf "warning: $place comma.dxf:8: '1,5' is no number; it is left out"
+says comma.dxf "warning: $place comma.dxf:10: 'ENDSEC': the entity before has too few points"
+printf '0\nSECTION\nx\ny\n0\nEOF\n' >code.dxf
+says code.dxf "warning: $place code.dxf:3: 'x' is no group code; the rest is left out"
+printf '0\nSECTION\n2\nENTITIES\n0\nSPLINE\n0\nENDSEC\n' >spline.dxf
+says spline.dxf "warning: $place spline.dxf:8: unsupported DXF entity 'SPLINE'; it is left out"
+dxf_bomb >bomb.dxf
+says bomb.dxf 'error: scene.csg:1:1: bomb.dxf: blocks and curves of more than 5000000 lines'
+
+printf '<svg>\n<rect width="9"' >short.svg
+says short.svg "warning: $place short.svg:2: "
+printf '<svg><rect id="\377"/></svg>' >encoding.svg
+says encoding.svg "warning: $place encoding.svg:1: Input is not proper UTF-8"
+xml_bomb >bomb.svg
+says bomb.svg "warning: $place bomb.svg:1: "
+echo secret >other.txt
+printf '<!DOCTYPE svg [<!ENTITY x SYSTEM "other.txt">]>\n<svg><text>&x;</text></svg>' >other.svg
+says other.svg "error: $place other.svg:2: the entity 'x' is not read"
+printf '<!DOCTYPE svg [<!ENTITY x SYSTEM "other.txt">]>\n<svg id="&x;"/>' >attribute.svg
+says attribute.svg "warning: $place attribute.svg:2: Attribute references external entity 'x'"
+
+printf '<amf><object><mesh><vertices><vertex><coordinates>\n<x>a</x></coordinates></vertex></vertices></mesh></object></amf>' >letter.amf
+says letter.amf "warning: $place letter.amf:2: 'a' is no number; nothing is drawn"
+printf '<amf><object><mesh><volume><triangle>\n<v1>7</v1></triangle>' >corner.amf
+says corner.amf "warning: $place corner.amf:2: a triangle has no point"
+printf 'PK' >short.3mf
+says short.3mf "warning: $place short.3mf: "
+says missing.3mf "warning: $place ./missing.3mf: No such file or directory; nothing is drawn"
+says other.obj 'import is not supported yet'
+
+exit "$failed"
