@@ -53,3 +53,10 @@ void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user)
     for (size_t i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
 }
+
+bool csg_call_on_new_stack(csg_task_fn *task, void *user)
+{
+    struct job job = {.task = task, .user = user, .num = 1};
+    pthread_t thread;
+    return start(&job, &thread, 1) == 1 && pthread_join(thread, NULL) == 0;
+}

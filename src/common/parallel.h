@@ -2,6 +2,7 @@
 #ifndef CSG_COMMON_PARALLEL_H
 #define CSG_COMMON_PARALLEL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef void csg_task_fn(void *user, size_t task);
@@ -13,5 +14,11 @@ typedef void csg_task_fn(void *user, size_t task);
  * thread can be started the caller's does all of the work.
  */
 void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user);
+
+/*
+ * Calls task(user, 0) with a stack of its own, and waits for it: for what goes as deep as the input
+ * and has gone deep already. false: not called, for want of memory or threads.
+ */
+bool csg_call_on_new_stack(csg_task_fn *task, void *user);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/parallel.h"
 #include "polyhedra/evaluate.h"
 #include "scene/repeats.h"
 
@@ -167,29 +168,42 @@ static bool read_solid(struct reader *reader, uint32_t node)
     return add_empty(reader, negated);
 }
 
+/* A compound to be read. */
+struct inner {
+    struct csg_walk *walk;
+    uint32_t node;
+    bool in_boolean;
+    struct csg_part part;
+    bool ok;
+};
+
+static void read_inner(void *user, size_t task)
+{
+    struct inner *inner = user;
+    const struct csg_node_ops *ops = csg_walk_ops(inner->walk, inner->node);
+    struct csg_args args;
+    (void)task;
+    inner->ok =
+        csg_walk_args(inner->walk, inner->node, ops->name, ops->parameters, &args) &&
+        csg_repeats_read(inner->walk, inner->node, ops, &args, inner->in_boolean, &inner->part);
+}
+
 static bool read_compound(struct reader *reader, uint32_t node)
 {
     struct csg_walk *walk = reader->walk;
-    const struct csg_node_ops *ops = csg_walk_ops(walk, node);
-    const bool negated = take_operand(reader);
-    struct csg_part inner = {0};
-    struct csg_args args;
-    if (walk->depth >= CSG_PARTS_MAX_DEPTH) {
-        csg_walk_unsupported(walk, node, "%s: more than %d of its kind inside of each other",
-                             ops->name, CSG_PARTS_MAX_DEPTH);
-        return add_empty(reader, negated);
-    }
-    const bool points_only = walk->points_only;
+    const bool negated = take_operand(reader), points_only = walk->points_only;
+    struct inner inner = {
+        .walk = walk, .node = node, .in_boolean = top_of(reader)->space.in_boolean};
     walk->points_only = points_only && !is_cut(reader);
-    walk->depth++;
-    bool ok = csg_walk_args(walk, node, ops->name, ops->parameters, &args) &&
-              csg_repeats_read(walk, node, ops, &args, top_of(reader)->space.in_boolean,
-                               &inner);
+    if (++walk->depth % CSG_PARTS_LEVELS_A_STACK != 0)
+        read_inner(&inner, 0);
+    else if (!csg_call_on_new_stack(read_inner, &inner))
+        no_memory(reader);
     walk->depth--;
     walk->points_only = points_only;
-    if (ok)
-        return add_part(reader, &inner, negated);
-    csg_part_finish(&inner);
+    if (inner.ok)
+        return add_part(reader, &inner.part, negated);
+    csg_part_finish(&inner.part);
     return false;
 }
 

@@ -5,8 +5,9 @@
 #include "csg/part.h"
 #include "scene/walk.h"
 
-/* Compounds inside of compounds inside of ... deeper than this are refused. */
-#define CSG_PARTS_MAX_DEPTH 64
+/* Compounds inside of compounds: after so many levels the next ones get a stack of their own, so
+ * that their number is limited by memory only. */
+#define CSG_PARTS_LEVELS_A_STACK 64
 
 enum csg_part_wanted {
     CSG_WANT_EXACT,
