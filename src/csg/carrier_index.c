@@ -35,10 +35,11 @@ bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, do
                      double slack, double tolerance)
 {
     index->center = center;
+    index->radius = radius;
     for (int i = 0; i < 3; i++)
         index->probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     index->cell = fmax(8 * slack, 2e-9 * radius);
-    index->fine = fmax(8 * tolerance, 2e-12 * radius);
+    index->fine = fmax(4 * tolerance, 1e-12 * radius);
     index->directions = (struct csg_directions){{0}};
     index->entries.num = 0;
     index->buckets.num = 0;

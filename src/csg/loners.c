@@ -13,6 +13,9 @@ enum { MIN_FACES = 20000, NUM_TASKS = 32 };
 /* Two bits for each of so many places a face: a key's place is another one's by chance, too. */
 enum { PLACES_A_FACE = 16, PLACES_A_WORD = 16 };
 
+/* Planes a cell, were all of them parallel and spread evenly: beyond it hardly any is alone. */
+#define MAX_DENSITY 3.0
+
 struct search {
     const struct csgcast_scene *scene;
     const bool *wanted;
@@ -22,6 +25,7 @@ struct search {
     struct csg_directions *directions; /* by task; the first one's are all of them in the end */
     atomic_uint *words; /* of a place: whether a key has come there, and whether a second one has */
     uint64_t mask;      /* of places; their number is a power of two */
+    bool is_dense;      /* planes are not looked at */
 };
 
 struct planes {
@@ -87,10 +91,10 @@ static bool is_alone(const struct search *search, const uint64_t *keys, int num)
     return num > 0;
 }
 
-/* None for a plane that is looked for under other normals, too. */
+/* None for a plane that is looked for under other normals, too: it is no loner. */
 static int plane_keys(const struct search *search, const struct csg_plane *plane, uint64_t keys[8])
 {
-    if (csg_directions_are_shared(search->directions, plane))
+    if (search->is_dense || csg_directions_are_shared(search->directions, plane))
         return 0;
     return csg_index_plane_keys(search->index, plane, keys);
 }
@@ -155,6 +159,7 @@ bool csg_loners_find(struct csg_loners *loners, const struct csgcast_scene *scen
     const size_t num_faces = num_planes + scene->num_leaves;
     struct search search = {.scene = scene, .wanted = wanted, .face_begin = face_begin,
                             .index = index, .loners = loners, .mask = PLACES_A_WORD - 1};
+    search.is_dense = (double)num_planes * index->fine > MAX_DENSITY * index->radius;
     if (num_faces < MIN_FACES)
         return true;
     while (search.mask < PLACES_A_FACE * num_faces)
