@@ -4,8 +4,8 @@
 
 /*
  * Remote: faces of a surface that no other solid's box comes near. Where the surface's own faces do
- * not lie upon each other either (is_simple), no ray meets another face where it meets a remote one,
- * so nobody needs to look for what it coincides with.
+ * not lie upon each other either (is_simple), no ray meets another face where it meets a remote
+ * one, so nobody needs to look for what it coincides with.
  */
 
 #include "csg/scene.h"

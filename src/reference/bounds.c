@@ -29,14 +29,14 @@ static struct csg_box leaf_box(const struct csg_leaf *leaf, double rounding)
 }
 
 static struct csg_node_bounds inner_node(const struct csg_node *nodes,
-                                       const struct csg_node_bounds *bounds, uint32_t node)
+                                         const struct csg_node_bounds *bounds, uint32_t node)
 {
     const bool all = nodes[node].op == CSG_AND;
     struct csg_node_bounds result = {csg_box_empty, all};
     for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end) {
         result.box = csg_box_union(&result.box, &bounds[child].box);
-        result.inside = all ? result.inside && bounds[child].inside
-                            : result.inside || bounds[child].inside;
+        result.inside =
+            all ? result.inside && bounds[child].inside : result.inside || bounds[child].inside;
     }
     return result;
 }
@@ -54,10 +54,9 @@ bool csg_tree_bounds_init(struct csg_tree_bounds *bounds, const struct csgcast_s
             const struct csg_node *node = &tree->data[i];
             bounds->nodes[layer][i] =
                 node->op != CSG_LEAF ? inner_node(tree->data, bounds->nodes[layer], (uint32_t)i)
-                : node->spare
-                    ? (struct csg_node_bounds){csg_box_empty, node->negated}
-                    : (struct csg_node_bounds){leaf_box(&scene->leaves[node->leaf], rounding),
-                                             node->negated};
+                : node->spare        ? (struct csg_node_bounds){csg_box_empty, node->negated}
+                                     : (struct csg_node_bounds){
+                                           leaf_box(&scene->leaves[node->leaf], rounding), node->negated};
         }
     }
     return true;

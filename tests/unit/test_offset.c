@@ -97,8 +97,8 @@ static void check_offset(int seed)
         const double x = between(-14, 14), y = between(-14, 14);
         const double d = distance(&before, x, y) - offset.distance;
         if (fabs(d) > slack)
-            CHECK((d < 0) == (distance(&after, x, y) < 0), "polygon %d by %g: (%g, %g) is off by %g",
-                  seed, offset.distance, x, y, d);
+            CHECK((d < 0) == (distance(&after, x, y) < 0),
+                  "polygon %d by %g: (%g, %g) is off by %g", seed, offset.distance, x, y, d);
     }
     csg_drawing_finish(&before);
     csg_drawing_finish(&after);
@@ -150,10 +150,8 @@ static void check_discs(void)
             add_point(drawings[i], (k % 2 ? 10 : 30) * csg_cos_degrees(45 * k + 10),
                       (k % 2 ? 10 : 30) * csg_sin_degrees(45 * k + 10));
         for (int k = 0; k < 4; k++) {
-            const struct csg_offset offset = {.distance = distances[k],
-                                              .join = CSG_JOIN_ROUND,
-                                              .num = 48,
-                                              .exact = i == 0};
+            const struct csg_offset offset = {
+                .distance = distances[k], .join = CSG_JOIN_ROUND, .num = 48, .exact = i == 0};
             CHECK(csg_drawing_offset(drawings[i], 0, &offset) == CSG_SWEEP_DONE, "step %d", k);
         }
         CHECK(csg_drawing_evaluate(drawings[i], 0) == CSG_SWEEP_DONE, "%d", i);
