@@ -210,7 +210,14 @@ static bool is_straight(const struct csg_vec2 *a, const struct csg_vec2 *b,
            (x0 * x1 + y0 * y1 > 0 && area <= rounding * hypot(x0 + x1, y0 + y1));
 }
 
-/* Leaves out the corners of the last contour where it goes straight on. */
+static void drop_contour(struct csg_drawing *drawing)
+{
+    drawing->points.num = drawing->contours.data[--drawing->contours.num].begin;
+    drawing->figures.data[drawing->figures.num - 1].end--;
+}
+
+/* Leaves out the corners of the last contour where it goes straight on, and all of it where none
+ * are left around an area. */
 static void straighten(struct csg_drawing *drawing, double rounding)
 {
     struct csg_contour *contour = &drawing->contours.data[drawing->contours.num - 1];
@@ -225,6 +232,8 @@ static void straighten(struct csg_drawing *drawing, double rounding)
     }
     contour->end = contour->begin + kept;
     drawing->points.num = contour->end;
+    if (kept < 3)
+        drop_contour(drawing);
 }
 
 static bool add_contour(struct tracer *tracer, struct csg_drawing *drawing, struct segment *first)
