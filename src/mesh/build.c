@@ -11,6 +11,10 @@
 
 enum { num_bins = 16, max_leaf = 4 };
 
+/* More triangles than that are cut along the longest side of their centres' box, as the best cut
+ * nearly always is. */
+enum { max_compared = 1024 };
+
 struct task {
     uint32_t first, num;
 };
@@ -81,10 +85,14 @@ static double best_cut(const struct item *items, uint32_t num, int axis, double 
  * place, or areas overflow, any two halves do. */
 static uint32_t split(struct item *items, uint32_t num, const struct csg_box *centers)
 {
+    const struct csg_vec3 sizes = csg_sub(centers->hi, centers->lo);
+    const double longest = fmax(sizes.x, fmax(sizes.y, sizes.z));
     double least = INFINITY;
     int axis = -1, cut = 0;
     for (int i = 0; i < 3; i++) {
-        const double lo = component(centers->lo, i), size = component(centers->hi, i) - lo;
+        const double lo = component(centers->lo, i), size = component(sizes, i);
+        if (num > max_compared && size < longest)
+            continue;
         int at = 0;
         const double cost =
             size > 0 ? best_cut(items, num, i, lo, num_bins / size, &at) : INFINITY;
