@@ -8,8 +8,8 @@
  * A record of the program in the data texture: one header texel
  *     (entry planes, exit planes, flags, attribute block / 4)
  * followed by a texel per plane, entries first, and CSG_QUADRIC_TEXELS where it has a quadric.
- * A plane's texel is c0 cu cv (see src/pack/screen.h) and its face's number + 1, negative for exits.
- * A face's number is the place of its normal behind CSG_ATTRIBUTE_NORMALS; a quadric's is 0.
+ * A plane's texel is c0 cu cv (see src/pack/screen.h) and its face's number + 1, negative for
+ * exits. A face's number is the place of its normal behind CSG_ATTRIBUTE_NORMALS; a quadric's is 0.
  */
 #define CSG_RECORD_QUADRIC 1  /* has a quadric */
 #define CSG_RECORD_GAP 2      /* not convex: the quadric may take a piece out of the middle */
@@ -19,19 +19,20 @@
 #define CSG_RECORD_PUSH 32    /* ... and keep the operand before it on the stack */
 #define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
 #define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
-#define CSG_RECORD_BOUND 256  /* no leaf: nothing that follows matters before the key in the header */
+#define CSG_RECORD_BOUND 256  /* no leaf: what follows does not matter before the header's key */
 #define CSG_RECORD_MORE 512  /* in a cell: the next record holds more faces of the same leaf */
 #define CSG_RECORD_BANDS 1024 /* with CSG_RECORD_SURFACE: no triangles but bands, see below */
 
 /*
- * A surface's record has lists of faces by cell, a square of pixels; all places count from the header.
+ * A surface's record has lists of faces by cell, a square of pixels; all places count from the
+ * header.
  *     header       texels that follow, 0, flags, attribute block / 4
  *     grid         the first pixel's corner, from the reference pixel; cells a pixel; cells a row
  *     start        turns of the surface round the eye; the longest list
  *     cells        place of the list; how many faces in it cover the cell, and how many cut it
  *     normals      of the faces in any list, as in an attribute block
- *     lists        of a face that covers: c0 cu cv of its plane, place of its normal, negative where
- *                  the ray leaves by it; of one that cuts: the same, then three edges
+ *     lists        of a face that covers: c0 cu cv of its plane, place of its normal, negative
+ *                  where the ray leaves by it; of one that cuts: the same, then three edges
  * An edge is from y and to y, its lower end's x and its slope; from and to are equal where there is
  * none. y and x count from the first pixel's corner.
  */
@@ -44,11 +45,12 @@
  *     place        what conics count pixels from, from the reference pixel
  *     start        whether rays start inside; most crossings; flat bands; all bands
  *     flat bands   head, three texels of conics, a plane
- *     other bands  head, three texels of conics, two planes, a quadric (of 3 texels, or 5 in programs
- *                  with CSG_HAS_STIFF)
- * A band's head: CSG_BAND_..., attribute block / 4, face, 1 for the inner side of a ring. Its conics
- * are negative where the ray passes inside of a circle when it meets the circle's plane: those of a
- * flat band's rims, or those where another band begins and ends, of the first and the second plane.
+ *     other bands  head, three texels of conics, two planes, a quadric (of 3 texels, or 5 in
+ *                  programs with CSG_HAS_STIFF)
+ * A band's head: CSG_BAND_..., attribute block / 4, face, 1 for the inner side of a ring. Its
+ * conics are negative where the ray passes inside of a circle when it meets the circle's plane:
+ * those of a flat band's rims, or those where another band begins and ends, of the first and the
+ * second plane.
  */
 #define CSG_BAND_WITHIN 1 /* rays start between its planes, and leave by either */
 #define CSG_BAND_INSIDE 2 /* ... inside of the quadric */
@@ -101,15 +103,16 @@
 #define CSG_MAX_AGAIN 3
 
 /*
- * An object in cells (src/cells/cells.h) begins with what rays are in the space of its cells: origin
- * and its steps a pixel, direction and its steps, half the size of the box. The first direction's
- * fourth component is the place of the root in the texture of all cells. The leaves' terms follow.
+ * An object in cells (src/cells/cells.h) begins with what rays are in the space of its cells:
+ * origin and its steps a pixel, direction and its steps, half the size of the box. The first
+ * direction's fourth component is the place of the root in the texture of all cells. The leaves'
+ * terms follow.
  */
 #define CSG_WALK_HEADER 7
 #define CSG_WALK_DEPTH 32 /* of splits */
 
-/* A bunch of a cell's literals (src/cells/bunch.h): multiples of 4. Of a literal's texel the number is
- * its surfaces by bit, planes from bit 0, quadrics behind them, and whether it is negated. */
+/* A bunch of a cell's literals (src/cells/bunch.h): multiples of 4. Of a literal's texel the number
+ * is its surfaces by bit, planes from bit 0, quadrics behind them, and whether it is negated. */
 #define CSG_BUNCH_LITERALS 8
 #define CSG_BUNCH_MANY_PLANES 12 /* of objects without quadrics */
 #define CSG_BUNCH_FEW_PLANES 8

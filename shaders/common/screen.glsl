@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels and depth keys k, as src/pack/screen.h defines them; from common/screen.vert.glsl. */
 
-flat in vec4 csg_screen_depth; /* scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t */
+/* Scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t. */
+flat in vec4 csg_screen_depth;
 flat in vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
 flat in vec3 csg_screen_place; /* the band's first pixel from the reference pixel, bias of depths */
 

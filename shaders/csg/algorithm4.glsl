@@ -96,7 +96,8 @@ bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool
     for (int i = 0; i < CSG_MAX_WORDS; i++)
         csg_holds[i] = 0u;
     int i = 0;
-    for (; i < csg_num_crossings && csg_keys[i] <= csg_screen_depth.z; i++) /* the ray starts inside */
+    /* Those behind the ray's start: it may be inside there. */
+    for (; i < csg_num_crossings && csg_keys[i] <= csg_screen_depth.z; i++)
         csg_holds[csg_leaves[i] >> 5] ^= 1u << uint(csg_leaves[i] & 31);
     from_inside = csg_program_holds(begin, end);
     while (i < csg_num_crossings && csg_keys[i] < csg_screen_key.z) {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A cell that is an intersection of literals, in bunches (src/cells/bunch.h): so many faces, so many
- * quadrics, and the literals between them. A literal is a set of bits, the surfaces that it has to be
- * inside of. All keys of a bunch are found once and stay in registers; then the ray goes from key to
- * key until all literals hold. Those of the other bunches are asked there, until none moves the ray.
+ * A cell that is an intersection of literals, in bunches (src/cells/bunch.h): so many faces, so
+ * many quadrics, and the literals between them. A literal is a set of bits, the surfaces that it
+ * has to be inside of. All keys of a bunch are found once and stay in registers; then the ray goes
+ * from key to key until all literals hold. Those of the other bunches are asked there, until none
+ * moves the ray.
  */
 
 #ifdef CSG_HAS_QUADRIC

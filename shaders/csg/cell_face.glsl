@@ -12,7 +12,8 @@ vec4 csg_cell_texel(int i)
 /* Turns of loops so far, see CSG_MAX_WALK_TURNS. */
 int csg_walk_turns = 0;
 
-/* Of faces that leave at the same key the last one counts, as in records that have them backwards. */
+/* Of faces that leave at the same key the last one counts, as in records that have them backwards.
+ */
 void csg_cell_plane(vec4 texel, vec2 d, int face, inout csg_span span)
 {
     float k = csg_plane(texel, d), exit = texel.w < 0.0 ? k : CSG_KEY_MAX;

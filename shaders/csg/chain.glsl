@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A chain: a few solids and complements that must all be true. Solids have two entry planes, two exit
- * planes and perhaps a quadric at most; the vertex stage hands all of it over, of the longest chain
- * as much as there is room for, and fragments read the rest once. Literals stand in the order in
- * which csg_choose prefers them. src/shader/chain.c unrolls the chain over these functions.
+ * A chain: a few solids and complements that must all be true. Solids have two entry planes, two
+ * exit planes and perhaps a quadric at most; the vertex stage hands all of it over, of the longest
+ * chain as much as there is room for, and fragments read the rest once. Literals stand in the order
+ * in which csg_choose prefers them. src/shader/chain.c unrolls the chain over these functions.
  */
 
 csg_span csg_chain_planes(vec4 e0, vec4 e1, vec4 x0, vec4 x1, vec2 d)
@@ -16,8 +16,8 @@ csg_span csg_chain_planes(vec4 e0, vec4 e1, vec4 x0, vec4 x1, vec2 d)
     return span;
 }
 
-/* What a literal asks of keys: before the first number for at least the second, from there on for at
- * least the third. These are csg_inside and csg_outside, whichever the literal is. */
+/* What a literal asks of keys: before the first number for at least the second, from there on for
+ * at least the third. These are csg_inside and csg_outside, whichever the literal is. */
 vec3 csg_chain_asks(float flags, csg_span span)
 {
     return flags >= float(CSG_CHAIN_NEGATED) ? vec3(span.key.x, -CSG_KEY_MAX, span.key.y)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the normals of a leaf's faces are, for programs that know its record: its attribute block and,
- * some bits each, the numbers of its planes' normals, together no more than float holds. Its quadric,
- * behind them, has number 0. */
+/* Where the normals of a leaf's faces are, for programs that know its record: its attribute block
+ * and, some bits each, the numbers of its planes' normals, together no more than float holds. Its
+ * quadric, behind them, has number 0. */
 
 #ifdef CSG_IS_CHAIN
 #define CSG_NORMALS_BITS 6 /* four planes, whose numbers are less than 64 */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The first change of the solid along the ray, by interval jumping. */
 
-/* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. Out of
- * turns, the answer means nothing. */
+/* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. Out
+ * of turns, the answer means nothing. */
 bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A surface of triangles alone, seen from outside: begins where its turns first differ from zero. */
+/* A surface of triangles alone, seen from outside: begins where its turns first differ from zero.
+ */
 
 bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {

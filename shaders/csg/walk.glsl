@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From cell to cell along the ray (src/cells/cells.h), by splits, with a stack of those that the ray
- * has not left yet. s is the depth from that of the box's center. Where a cell's tree is false up
- * to the key at which the ray leaves it, the next cell's goes on there: trees hold somewhat beyond
- * their cells, so where exactly the ray changes from one to the other does not matter.
+ * From cell to cell along the ray (src/cells/cells.h), by splits, with a stack of those that the
+ * ray has not left yet. s is the depth from that of the box's center. Where a cell's tree is false
+ * up to the key at which the ray leaves it, the next cell's goes on there: trees hold somewhat
+ * beyond their cells, so where exactly the ray changes from one to the other does not matter.
  */
 
 #define CSG_NUM_HANDED CSG_WALK_HEADER

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A rectangle that holds what the object can cover. Drawn as an instance of four vertices or, where it
- * is a square, as one point: the two triangles of a rectangle share the blocks of pixels along their
- * edge, and drivers draw these twice.
+ * A rectangle that holds what the object can cover. Drawn as an instance of four vertices or, where
+ * it is a square, as one point: the two triangles of a rectangle share the blocks of pixels along
+ * their edge, and drivers draw these twice.
  */
 
 layout(location = 0) in vec4 csg_rect;      /* lo x, lo y, hi x, hi y in clip space */
-layout(location = 1) in ivec4 csg_records;  /* begin, end in the data texture; turns of a look; side of a point, else 0 */
+/* Begin, end in the data texture; turns of a look; side of a point, else 0. */
+layout(location = 1) in ivec4 csg_records;
 
 flat out ivec3 csg_object;
 

@@ -56,7 +56,8 @@ void main()
     for (int i = 0; i < CSG_NUM_PLANES; i++)
         csg_clip_plane(csg_handed[CSG_NUM_TEXELS - CSG_NUM_PLANES + i], d, i, span);
 #ifdef CSG_HAS_QUADRIC
-    csg_clip_quadric(csg_quadric(csg_handed[0], csg_handed[1], csg_handed[2], d), CSG_NUM_PLANES, span);
+    csg_clip_quadric(csg_quadric(csg_handed[0], csg_handed[1], csg_handed[2], d), CSG_NUM_PLANES,
+                     span);
     normal += span.face.x == CSG_NUM_PLANES ? 0 : CSG_NORMAL_TERMS + span.face.x;
 #else
     normal += span.face.x;

@@ -17,7 +17,9 @@ csg_terms csg_quadric_terms(csg_real4 t0, csg_real4 t1, csg_real4 t2, vec2 d)
     int code = int(t0.w);
     csg_real x = t1.x + (t1.y * d.x + t1.z * d.y);
     csg_real y = t2.x + (t1.y * d.y - t1.z * d.x);
-    csg_real xx = (code & CSG_QUADRIC_X_MINUS) != 0 ? -x : (code & CSG_QUADRIC_X_PLUS) != 0 ? x : 0.0;
+    csg_real xx = (code & CSG_QUADRIC_X_MINUS) != 0  ? -x
+                  : (code & CSG_QUADRIC_X_PLUS) != 0 ? x
+                                                     : 0.0;
     csg_real h = (t1.w + y * (t2.z + y * t2.w)) + x * (t2.y + xx);
     return csg_terms(t0.x + (t0.y * d.x + t0.z * d.y), x, y, h);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A leaf along the ray: inside on [key.x, key.y), and the faces at either end, by their place in the
- * record: planes from 0, then the quadric. */
+/* A leaf along the ray: inside on [key.x, key.y), and the faces at either end, by their place in
+ * the record: planes from 0, then the quadric. */
 
 struct csg_span {
     csg_real2 key;

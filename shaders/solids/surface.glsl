@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Surfaces of triangles, from the lists that src/pack/surface_record.c makes. A face is met as often
- * as its edges cross the half-line from the pixel's centre to the right. An edge is asked with the
- * same numbers for both faces that share it, so what it says to one is taken back by the other and
- * the turns of a closed surface add up to zero at every pixel.
+ * Surfaces of triangles, from the lists that src/pack/surface_record.c makes. A face is met as
+ * often as its edges cross the half-line from the pixel's centre to the right. An edge is asked
+ * with the same numbers for both faces that share it, so what it says to one is taken back by the
+ * other and the turns of a closed surface add up to zero at every pixel.
  */
 
 struct csg_surface {

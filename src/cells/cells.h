@@ -45,9 +45,9 @@ struct csg_cells {
 /* All places in the texture are floats. */
 #define CSG_CELLS_MAX_TEXELS ((size_t)1 << 24)
 
-/* The cells of an object that can be cut so, made by that many threads (csg_parallel). before: parts
- * of earlier ones, which may be taken, NULL: none. NULL: out of memory, or they do not fit their
- * texture.
+/* The cells of an object that can be cut so, made by that many threads (csg_parallel). before:
+ * parts of earlier ones, which may be taken, NULL: none. NULL: out of memory, or they do not fit
+ * their texture.
  */
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,
                                    const struct csg_object *object, struct csg_kept *before,

@@ -84,7 +84,8 @@ uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work 
     hash = add_number(hash, (uint64_t)(2 * top->bunched + top->bunches.quadrics));
     for (size_t i = 0; i < work->tree.num; i++) {
         const struct csg_node *node = &work->tree.data[i];
-        hash = add_number(hash, (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
+        hash =
+            add_number(hash, (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
         if (node->op == CSG_LEAF)
             hash = add_leaf(hash, top, node->leaf);
     }

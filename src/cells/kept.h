@@ -3,9 +3,9 @@
 #define CSG_CELLS_KEPT_H
 
 /*
- * Parts of cells that outlive an edit. A part is made from its box and what the tree is there alone;
- * its key is a hash of all of that, so parts of the edited scene that have the key of an old one are
- * that one. Most edits change few parts.
+ * Parts of cells that outlive an edit. A part is made from its box and what the tree is there
+ * alone; its key is a hash of all of that, so parts of the edited scene that have the key of an old
+ * one are that one. Most edits change few parts.
  */
 
 #include "cells/build.h"
@@ -19,8 +19,8 @@ uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work 
 struct csg_kept *csg_kept_create(struct csg_cell_builder *parts, const uint64_t *keys, size_t num);
 void csg_kept_destroy(struct csg_kept *kept);
 
-/* Gives the part with that key, which is kept no more; false: there is none. Parts of different keys
- * may be taken at the same time. */
+/* Gives the part with that key, which is kept no more; false: there is none. Parts of different
+ * keys may be taken at the same time. */
 bool csg_kept_take(struct csg_kept *kept, uint64_t key, struct csg_cell_builder *part);
 
 #endif

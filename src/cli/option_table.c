@@ -200,7 +200,8 @@ const struct csg_option csg_option_table[] = {
      "what an EXR carries besides colour: Z (distance along the view\n"
      "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
      set_aov},
-    {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512", csg_set_imgsize},
+    {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512",
+     csg_set_imgsize},
     {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
      "default: rotation 55,0,25, the whole scene in view",
@@ -228,8 +229,7 @@ const struct csg_option csg_option_table[] = {
      ".scad names by use <x.ttf> are known",
      csg_set_font},
     {"animate", 0, REQUIRED, RENDER, "N",
-     "N pictures of a .scad file at $t = 0, 1/N, ...: name00000.png and on",
-     csg_set_animate},
+     "N pictures of a .scad file at $t = 0, 1/N, ...: name00000.png and on", csg_set_animate},
     {"render", 0, OPTIONAL, ALL, NULL, "for .scad: $preview is false, as in OpenSCAD's full render",
      csg_set_render},
     {"facets", 0, REQUIRED, ALL | REPORT, "MODE",
@@ -242,7 +242,8 @@ const struct csg_option csg_option_table[] = {
      "what flattens .scad files and evaluates subtrees that only it\n"
      "can; default $OPENSCAD or openscad",
      csg_set_openscad},
-    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", csg_set_no_handoff},
+    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead",
+     csg_set_no_handoff},
     {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"
      "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast",

@@ -61,8 +61,8 @@ static void look_at_member(struct csg_cull *cull, const struct csg_camera *camer
     candidate->class = (uint16_t)block->class;
     candidate->by_rect = true;
     candidate->owns = false;
-    const enum verdict verdict =
-        known ? judge(cull, known, known->near, candidate) : look_at(cull, camera, class, candidate);
+    const enum verdict verdict = known ? judge(cull, known, known->near, candidate)
+                                       : look_at(cull, camera, class, candidate);
     cull->demoted[member] = verdict == DEMOTED;
     if (verdict != SEEN)
         return;

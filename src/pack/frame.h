@@ -22,8 +22,8 @@ struct csg_instance {
     float rect[4];      /* clip space */
     int32_t records[2]; /* begin, end in the data texture */
     int32_t turns;      /* of the loops of one look at them, at most; see CSG_MAX_TURNS */
-    int32_t side;       /* of rect, in pixels, where it is a square of whole ones that can be drawn as
-                         * one point; else 0 */
+    int32_t side; /* of rect, in pixels, where it is a square of whole ones that can be drawn as
+                   * one point; else 0 */
 };
 
 struct csg_draw {

@@ -28,6 +28,14 @@ static struct csg_box leaf_box(const struct csg_leaf *leaf, double rounding)
     return isfinite(size) ? csg_box_grown(&box, 2 * rounding + MARGIN * size) : csg_box_all;
 }
 
+static struct csg_node_bounds leaf_node(const struct csgcast_scene *scene,
+                                        const struct csg_node *node, double rounding)
+{
+    const struct csg_box box =
+        node->spare ? csg_box_empty : leaf_box(&scene->leaves[node->leaf], rounding);
+    return (struct csg_node_bounds){box, node->negated};
+}
+
 static struct csg_node_bounds inner_node(const struct csg_node *nodes,
                                          const struct csg_node_bounds *bounds, uint32_t node)
 {
@@ -53,10 +61,9 @@ bool csg_tree_bounds_init(struct csg_tree_bounds *bounds, const struct csgcast_s
         for (size_t i = tree->num; i-- > 0;) {
             const struct csg_node *node = &tree->data[i];
             bounds->nodes[layer][i] =
-                node->op != CSG_LEAF ? inner_node(tree->data, bounds->nodes[layer], (uint32_t)i)
-                : node->spare        ? (struct csg_node_bounds){csg_box_empty, node->negated}
-                                     : (struct csg_node_bounds){
-                                           leaf_box(&scene->leaves[node->leaf], rounding), node->negated};
+                node->op == CSG_LEAF
+                    ? leaf_node(scene, node, rounding)
+                    : inner_node(tree->data, bounds->nodes[layer], (uint32_t)i);
         }
     }
     return true;

@@ -81,8 +81,8 @@ static bool same_structure(const struct csg_structure *a, bool stiff, const stru
     return true;
 }
 
-static struct known *find_straight(struct csg_chooser *chooser, const struct csg_structure *structure,
-                                   bool stiff)
+static struct known *find_straight(struct csg_chooser *chooser,
+                                   const struct csg_structure *structure, bool stiff)
 {
     for (size_t i = 0; i < chooser->num_straight; i++)
         if (same_structure(structure, stiff, &chooser->straight[i]))

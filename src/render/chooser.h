@@ -2,7 +2,8 @@
 #ifndef CSG_RENDER_CHOOSER_H
 #define CSG_RENDER_CHOOSER_H
 
-/* Which program draws what: the cheapest right one, see docs/pipeline.md#variants. One per frame. */
+/* Which program draws what: the cheapest right one, see docs/pipeline.md#variants. One per frame.
+ */
 
 #include "render/renderer.h"
 

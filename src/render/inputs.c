@@ -64,7 +64,8 @@ void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool high
     picture->gl->Uniform1f(compiled->uniforms.depth_bias, highlight ? OVERLAY_DEPTH_BIAS : 0);
 }
 
-/* Points are vertices of their own, as drivers take these by the vector, but instances one by one. */
+/* Points are vertices of their own, as drivers take these by the vector, but instances one by one.
+ */
 static void point_instances(struct csg_gl *gl, size_t first, bool points)
 {
     const size_t size = sizeof(struct csg_instance), base = first * size;

@@ -4,14 +4,15 @@
 
 /*
  * OpenSCAD writes six digits of each number of a .csg. csgcast-digits.so (src/digits/digits.cpp),
- * preloaded into the openscad that flattens a .scad, makes it write all of them, and tells of fonts.
+ * preloaded into the openscad that flattens a .scad, makes it write all of them, and tells of
+ * fonts.
  */
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The file in that folder to which it writes the names of the fonts that the .scad uses (use <x.ttf>),
- * a line each: the .csg does not have them. */
+/* The file in that folder to which it writes the names of the fonts that the .scad uses (use
+ * <x.ttf>), a line each: the .csg does not have them. */
 #define CSG_DIGITS_FONTS "fonts"
 
 /* The last line of a text in which no number is rounded, see csg_value.rounding. */

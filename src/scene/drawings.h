@@ -18,8 +18,8 @@ bool csg_drawing_read(struct csg_walk *walk, uint32_t node, bool in_boolean,
 bool csg_drawing_read_node(struct csg_walk *walk, uint32_t node, bool in_boolean,
                            struct csg_drawing *drawing);
 
-/* Moves the figures from draw on, the last of the drawing, to where their node is; a space without an
- * inverse leaves nothing. false, with a message, when memory is out. */
+/* Moves the figures from draw on, the last of the drawing, to where their node is; a space without
+ * an inverse leaves nothing. false, with a message, when memory is out. */
 bool csg_drawing_place(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t draw,
                        const struct csg_space *space);
 

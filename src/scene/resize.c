@@ -29,7 +29,8 @@ struct csg_resize csg_resize_read(const struct csg_args *args)
     return resize;
 }
 
-/* The box of OpenSCAD's facets, which it reads. is_there: it has a volume, and nothing was reported.
+/* The box of OpenSCAD's facets, which it reads. is_there: it has a volume, and nothing was
+ * reported.
  */
 static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean,
                       struct csg_part *facets, double size[3], bool *is_there)

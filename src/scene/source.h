@@ -10,7 +10,7 @@
 struct csg_source {
     char *text; /* owned */
     size_t size;
-    struct csgcast_scene_params params; /* without what the .scad had, and log: the text is flattened */
+    struct csgcast_scene_params params; /* without what was for the .scad, and without log */
     char *name, *directory, *openscad, *cache;  /* those of params, owned; NULL as there */
     char **fonts; /* likewise */
 };

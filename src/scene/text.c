@@ -285,7 +285,8 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
                          "text: $fn makes %d segments of each curve, the most is %d; use a $fn "
                          "below 160000",
                          text.segments, MAX_SEGMENTS);
-    } else if (ok && is_there && !state->module && !open_module(state, walk->builder->params, &walk->builder->report->log)) {
+    } else if (ok && is_there && !state->module &&
+               !open_module(state, walk->builder->params, &walk->builder->report->log)) {
         csg_walk_unsupported(walk, node,
                              "text needs csgcast-text.so, which is missing, or lacks its libraries "
                              "(Debian: libfreetype6 libharfbuzz0b libfontconfig1)");

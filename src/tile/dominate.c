@@ -76,7 +76,8 @@ static bool is_inside(struct pair *pair)
 }
 
 /* Operands of one node that have the same effect: those of a union, or subtracted ones, of which
- * the largest matters, or the others, of which the smallest does. Leaves of which nothing is known. */
+ * the largest matters, or the others, of which the smallest does. Leaves of which nothing is known.
+ */
 struct group {
     uint32_t *leaves;
     size_t num;

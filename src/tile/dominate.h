@@ -13,8 +13,9 @@
 #include "tile/range.h"
 
 /*
- * Marks leaves of tree in terms->known that others of the same node make superfluous; returns whether
- * there are any. ranges: of the terms' leaves, in the tile. room: for twice as many as tree has nodes.
+ * Marks leaves of tree in terms->known that others of the same node make superfluous; returns
+ * whether there are any. ranges: of the terms' leaves, in the tile. room: for twice as many as tree
+ * has nodes.
  */
 bool csg_dominate(const struct csg_terms *terms, const struct csg_tree *tree,
                   const struct csg_leaf_range *ranges, const struct csg_tile_box *tile,

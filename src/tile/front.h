@@ -3,16 +3,17 @@
 #define CSG_TILE_FRONT_H
 
 /*
- * Where an object has certainly begun for all rays of a tile: nothing behind that shows. It is found
- * as shaders find the first visible point (docs/pipeline.md), with what is certain of each leaf.
+ * Where an object has certainly begun for all rays of a tile: nothing behind that shows. It is
+ * found as shaders find the first visible point (docs/pipeline.md), with what is certain of each
+ * leaf.
  */
 
 #include "csg/tree.h"
 #include "tile/range.h"
 
-/* Lowers *key to the first one at which every ray of the tile is inside; false: there is none before
- * it, or it was not found. ranges: of the terms' leaves, in the tile. room: for as many as tree has
- * nodes. */
+/* Lowers *key to the first one at which every ray of the tile is inside; false: there is none
+ * before it, or it was not found. ranges: of the terms' leaves, in the tile. room: for as many as
+ * tree has nodes. */
 bool csg_front_find(const struct csg_terms *terms, const struct csg_tree *tree,
                     const struct csg_leaf_range *ranges, double *room, double *key);
 

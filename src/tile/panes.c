@@ -15,7 +15,8 @@
 /* Smaller trees are tiled sooner than threads start. */
 #define MIN_NODES 48
 
-/* Panes are squares of as many pixels a side, or twice that, and so on, so that there are not more. */
+/* Panes are squares of as many pixels a side, or twice that, and so on, so that there are not more.
+ */
 #define MIN_PANE_SIZE (4 * CSG_TILE_SIZE)
 #define MAX_PANES 32
 

@@ -40,8 +40,8 @@ static int compare_operands(const void *a, const void *b)
     return x->node < y->node ? -1 : x->node > y->node;
 }
 
-/* csg_choose's order: solids before complements, then the order of the file. Chains of leaves ask for
- * it. */
+/* csg_choose's order: solids before complements, then the order of the file. Chains of leaves ask
+ * for it. */
 static double rank_of(const struct csg_node *node)
 {
     return (double)node->leaf + (node->negated ? 0x1p32 : 0);

@@ -26,8 +26,8 @@ struct csg_scan {
 void csg_scan_finish(struct csg_scan *scan);
 
 /*
- * Fills program and bounds. ranges: of the terms' leaves, in the tile. bounded: whether there may be
- * bounds; they hold for rays that start outside. false: out of memory.
+ * Fills program and bounds. ranges: of the terms' leaves, in the tile. bounded: whether there may
+ * be bounds; they hold for rays that start outside. false: out of memory.
  */
 bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
                    const struct csg_tree *tree, const struct csg_leaf_range *ranges, bool bounded);

@@ -104,7 +104,8 @@ static struct csg_leaf_range *range_of(const struct tiler *tiler, uint32_t leaf)
     return &tiler->ranges.data[tiler->terms->index[leaf]];
 }
 
-static void fill_ranges(struct tiler *tiler, const struct task *task, const struct csg_tile_box *box)
+static void fill_ranges(struct tiler *tiler, const struct task *task,
+                        const struct csg_tile_box *box)
 {
     for (size_t i = task->tree.num; i-- > 0;) {
         const struct csg_node *node = &task->tree.data[i];
@@ -137,8 +138,8 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
 static double front_of(struct tiler *tiler, const struct csg_tree *tree)
 {
     double key = tiler->terms->frame->screen.k_far;
-    tiler->opaque = !tiler->draw->around_eye && csg_front_find(tiler->terms, tree, tiler->ranges.data,
-                                                               tiler->keys.data, &key);
+    tiler->opaque = !tiler->draw->around_eye &&
+                    csg_front_find(tiler->terms, tree, tiler->ranges.data, tiler->keys.data, &key);
     return key;
 }
 
@@ -241,8 +242,8 @@ static bool add_task(struct tiler *tiler, const struct task *task)
 {
     struct task copy = *task;
     copy.bands = (struct csg_band_list){0};
-    if (copy_tree(tiler, &task->tree, &copy.tree) && csg_band_list_copy(&task->bands, &copy.bands) &&
-        csg_array_push(&tiler->tasks, copy))
+    if (copy_tree(tiler, &task->tree, &copy.tree) &&
+        csg_band_list_copy(&task->bands, &copy.bands) && csg_array_push(&tiler->tasks, copy))
         return true;
     free(copy.tree.data);
     free(copy.bands.data);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
-/* Embree 3: its own sphere and cone geometry, one primary ray a pixel in packets of 8, all cores. */
+/* Embree 3: its own sphere and cone geometry, one primary ray a pixel in packets of 8, all cores.
+ */
 
 #include "peer.h"
 

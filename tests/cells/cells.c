@@ -4,8 +4,9 @@
  *
  * Draws scenes in cells and by the loop over whole trees: leaf, depth and normal of every pixel
  * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
- * holes, boxes through one point, flush holes, nested cubes in one place, and random trees, on a grid (faces coincide) and off it.
- * Then scenes whose solids are moved about, as their cells keep what an edit does not change.
+ * holes, boxes through one point, flush holes, nested cubes in one place, and random trees, on a
+ * grid (faces coincide) and off it. Then scenes whose solids are moved about, as their cells keep
+ * what an edit does not change.
  */
 #include <stdio.h>
 #include <stdlib.h>

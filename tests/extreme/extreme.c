@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 
 /*
- * Stiff and extreme scenes: the shader, in float and where the scene asks for it in double, and the double-precision reference, against a ray
- * caster in long double that knows only the construction (tests/ideal). Prints a table, or CSV.
+ * Stiff and extreme scenes: the shader, in float and where the scene asks for it in double, and the
+ * double-precision reference, against a ray caster in long double that knows only the construction
+ * (tests/ideal). Prints a table, or CSV.
  *
  *     extreme [--backend=egl|osmesa|reference] [--shots=N] [--size=PIXELS] [--seed=S]
  *             [--sweep=NAME] [--value=X] [--variant=NAME] [--csv] [--full] [--shots-too]
@@ -81,7 +82,8 @@ static void report(struct run *run, const struct shot *shot, const char *name, c
 
 /* One line a shot, for those who look for the one that is wrong. */
 static void print_shot(const struct run *run, const struct csgcast_renderer *renderer,
-                       const struct shot *shot, const char *name, const struct measure *m, const struct measure *before)
+                       const struct shot *shot, const char *name, const struct measure *m,
+                       const struct measure *before)
 {
     struct csgcast_stats stats;
     csgcast_renderer_get_stats(renderer, &stats);
@@ -91,10 +93,11 @@ static void print_shot(const struct run *run, const struct csgcast_renderer *ren
         normal = fmax(normal, m->normal.data[i]);
     }
     if (run->options.shots_too)
-        fprintf(stderr, "%s: %s: wrong %zu off %.2g outside %zu other %zu depth %.2g normal %.2g\n", name,
-                stats.variants, m->misses - before->misses, m->displaced, m->outside - before->outside,
-                m->other - before->other, depth, normal);
-    if (run->options.shots_too && (m->misses > before->misses || depth > MAX_DEPTH || normal > MAX_NORMAL))
+        fprintf(stderr, "%s: %s: wrong %zu off %.2g outside %zu other %zu depth %.2g normal %.2g\n",
+                name, stats.variants, m->misses - before->misses, m->displaced,
+                m->outside - before->outside, m->other - before->other, depth, normal);
+    if (run->options.shots_too &&
+        (m->misses > before->misses || depth > MAX_DEPTH || normal > MAX_NORMAL))
         save(shot, name);
 }
 
@@ -152,10 +155,11 @@ static bool is_good(struct measure *measure, const struct sweep *sweep)
 static void print_row(const struct run *run, const struct sweep *sweep, double value,
                       const char *who, struct measure *m, bool good)
 {
-    const char *format = run->options.csv
-                             ? "%s,%g,%s,%zu,%zu,%.3g,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.3g,%s\n"
-                             : "| %s | %g | %s | %zu | %zu | %.2g | %zu | %zu | %zu | %.2g | %.2g | %.2g "
-                               "| %.2g | %s |\n";
+    const char *format =
+        run->options.csv
+            ? "%s,%g,%s,%zu,%zu,%.3g,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.3g,%s\n"
+            : "| %s | %g | %s | %zu | %zu | %.2g | %zu | %zu | %zu | %.2g | %.2g | %.2g "
+              "| %.2g | %s |\n";
     printf(format, sweep->name, value, who, m->rays, m->misses, m->displaced, m->outside,
            m->other, m->nan,
            errors_quantile(&m->depth, QUANTILE), errors_quantile(&m->depth, 1),
@@ -188,8 +192,10 @@ static bool run_value(struct run *run, const struct sweep *sweep, double value, 
 static bool run_sweeps(struct run *run)
 {
     static const char *const heads[] = {
-        "sweep", "value", "of", "rays", "wrong", "pixels off", "outside a pixel", "other surface", "not finite",
-        "depth p99.9", "depth max", "normal p99.9", "normal max", "verdict"};
+        "sweep",       "value",         "of",         "rays",        "wrong",
+        "pixels off",  "outside a pixel", "other surface", "not finite", "depth p99.9",
+        "depth max",   "normal p99.9",  "normal max", "verdict",
+    };
     bool ok = true;
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
         printf(run->options.csv ? (i ? ",%s" : "%s") : "| %s ", heads[i]);

@@ -8,7 +8,8 @@
 #define OTHER_DEPTH 1e-4
 #define OTHER_NORMAL 5.0
 
-/* Nearer to a silhouette than this, in pixels, the ray goes through it: a hit is as right as a miss. */
+/* Nearer to a silhouette than this, in pixels, the ray goes through it: a hit is as right as a
+ * miss. */
 #define TIE 1e-7
 
 static void errors_add(struct errors *errors, double value)

@@ -295,8 +295,8 @@ static void make_zoom(struct shot *shot, struct dice *dice, double value, int in
     shot->ideal.size = 10 / value;
     struct ideal_vec away = random_direction(dice);
     away.z = index & 1 ? fabsl(away.z) + 0.2L : away.z;
-    shot_look(shot, targets[dice_pick(dice, COUNT(targets))], away, index / NUM_KINDS % 2 ? 400 : 40,
-              11 / value, dice_pick(dice, 2));
+    shot_look(shot, targets[dice_pick(dice, COUNT(targets))], away,
+              index / NUM_KINDS % 2 ? 400 : 40, 11 / value, dice_pick(dice, 2));
 }
 
 /* ---- a small solid on a large one ---- */

@@ -16,7 +16,8 @@ struct voxels {
 
 struct voxels voxels_random(struct dice *dice);
 
-/* As a union of cubes, and as one polyhedron whose faces are cut into cuts^2 squares each. The cubes do not overlap, so edges may belong to four faces. */
+/* As a union of cubes, and as one polyhedron whose faces are cut into cuts^2 squares each. The
+ * cubes do not overlap, so edges may belong to four faces. */
 void voxels_put_cubes(struct text *text, const struct voxels *voxels);
 void voxels_put_polyhedron(struct text *text, const struct voxels *voxels, int cuts);
 

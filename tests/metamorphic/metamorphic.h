@@ -24,8 +24,8 @@ void put_formula(struct text *text, const char *formula, const struct operands *
 struct csgcast_scene *parse(const struct text *text, const char *name);
 struct csgcast_view random_view(struct dice *dice, int size);
 
-/* Compares run's pictures, in a square of that many pixels, and counts them; exact: the same numbers
- * are computed. A failure is printed, and the scene is saved. */
+/* Compares run's pictures, in a square of that many pixels, and counts them; exact: the same
+ * numbers are computed. A failure is printed, and the scene is saved. */
 bool judge(struct run *run, const char *name, int size, bool exact);
 void save(const char *name, const char *which, const struct text *text);
 

@@ -14,7 +14,8 @@ void evidence_print(const struct csg_mesh_view *reference, const struct csgcast_
     for (size_t i = 0; i < num_pixels && num_printed < max_printed; i++) {
         const struct csg_mesh_hit *hit = &reference->hits[i];
         const float *n = &image->normal[3 * i];
-        if (comparison->verdicts[i] != CSG_VERDICT_OFF && comparison->verdicts[i] != CSG_VERDICT_DEPTH)
+        if (comparison->verdicts[i] != CSG_VERDICT_OFF &&
+            comparison->verdicts[i] != CSG_VERDICT_DEPTH)
             continue;
         printf("    pixel %zu,%zu: z %.9g n %.3f %.3f %.3f, mesh z %.9g n %.3f %.3f %.3f\n",
                i % (size_t)reference->width, i / (size_t)reference->width, (double)image->z[i],

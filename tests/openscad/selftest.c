@@ -46,7 +46,8 @@ static void make_prism(struct csg_triangle *triangles)
 }
 
 /* The interval of the ray inside all planes of a convex mesh. */
-static bool clip(const struct csg_soup *mesh, const struct csg_mesh_ray *ray, double *tnear, double *tfar)
+static bool clip(const struct csg_soup *mesh, const struct csg_mesh_ray *ray, double *tnear,
+                 double *tfar)
 {
     *tnear = -INFINITY;
     *tfar = INFINITY;

@@ -85,8 +85,9 @@ static void put_solid(struct writer *writer)
         put(writer, "ellipsoid(r = [%.9g, %.9g, %.9g]);\n", a, b, c);
         break;
     case 7:
-        put(writer, "tetrahedron(points = [[0, 0, 0], [%.9g, 0, 1], [0, %.9g, 0], [1, 1, %.9g]]);\n",
-            a, b, c);
+        put(writer,
+            "tetrahedron(points = [[0, 0, 0], [%.9g, 0, 1], [0, %.9g, 0], [1, 1, %.9g]]);\n", a, b,
+            c);
         break;
     case 8:
         put(writer, "intersection() { cube(size = 12, center = true); quadric(coefficients = "

@@ -128,8 +128,8 @@ static bool render(struct csgcast_renderer *renderer, const struct csgcast_scene
     return csgcast_render(renderer, scene, view, &image);
 }
 
-/* Whether colours alone are those of a picture with depths. Where leaves are asked for as well, more
- * objects may be drawn in double. */
+/* Whether colours alone are those of a picture with depths. Where leaves are asked for as well,
+ * more objects may be drawn in double. */
 static bool has_same_colors(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                             const struct csgcast_view *view, const struct picture *scratch)
 {
@@ -166,8 +166,8 @@ static bool check_view(struct csgcast_renderer *reference, struct csgcast_render
                                         textbook ? MAX_TEXTBOOK_DEPTH : MAX_DEPTH_ERROR);
         const double share = textbook ? MAX_TEXTBOOK_SHARE : MAX_EDGE_SHARE;
         if (r.wrong || (double)r.edge > share * (double)r.pixels + 2) {
-            printf("FAIL %s %s: %zu wrong, %zu at edges of %zu; depth %.2g, normal %.2g deg\n", name,
-                   variant, r.wrong, r.edge, r.pixels, r.depth, r.angle);
+            printf("FAIL %s %s: %zu wrong, %zu at edges of %zu; depth %.2g, normal %.2g deg\n",
+                   name, variant, r.wrong, r.edge, r.pixels, r.depth, r.angle);
             ok = false;
         }
         if (!has_same_colors(renderer, scene, view, &got)) {
@@ -227,7 +227,8 @@ static int check_random(struct csgcast_renderer *reference, struct csgcast_rende
         csgcast_scene_destroy(scene);
         free(text);
     }
-    printf("%s: %d random scenes, %d failed\n", failed ? "FAIL" : "ok", options->num_random, failed);
+    printf("%s: %d random scenes, %d failed\n", failed ? "FAIL" : "ok", options->num_random,
+           failed);
     return failed;
 }
 

@@ -39,8 +39,8 @@ static struct csg_screen random_screen(void)
 static bool is_plain(const struct csg_screen *screen, const struct csg_seen_ball *ball)
 {
     const double square = ball->c[0] * ball->c[0] + ball->c[1] * ball->c[1] + ball->t * ball->t;
-    return screen->orthographic ||
-           (ball->t > CSG_BALL_FRONT * ball->radius && sqrt(square) >= CSG_BALL_NEAR * ball->radius);
+    return screen->orthographic || (ball->t > CSG_BALL_FRONT * ball->radius &&
+                                    sqrt(square) >= CSG_BALL_NEAR * ball->radius);
 }
 
 /* Whether it covers a pixel. */

@@ -391,8 +391,9 @@ static void check_paired(void)
     static const struct {
         struct csg_vec3 normal;
         bool paired;
-    } planes[] = {{{1, 0, 0}, false},   {{-1, 0, 0}, true},     {{0, 3, 4}, false}, {{0, 1, 0}, false},
-                  {{0, -3, -4}, false}, {{0, -1, 1e-5}, false}, {{0, -1, 0}, false}};
+    } planes[] = {{{1, 0, 0}, false}, {{-1, 0, 0}, true},   {{0, 3, 4}, false},
+                  {{0, 1, 0}, false}, {{0, -3, -4}, false}, {{0, -1, 1e-5}, false},
+                  {{0, -1, 0}, false}};
     struct csg_shape shape = {0};
     for (size_t i = 0; i < sizeof planes / sizeof *planes; i++) {
         csg_shape_add_plane(&shape, planes[i].normal, 1);

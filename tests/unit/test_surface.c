@@ -137,7 +137,8 @@ static void check_torus(bool grid, double turned)
     check_lines(surface, 2000, grid);
     for (int i = 0; i < 500 && !grid; i++) {
         const struct csg_vec3 p = random_point(false);
-        const double across = sqrt(p.x * p.x + p.y * p.y) - 2, r = sqrt(across * across + p.z * p.z);
+        const double across = sqrt(p.x * p.x + p.y * p.y) - 2,
+                     r = sqrt(across * across + p.z * p.z);
         if (fabs(r - 1) > 0.05)
             CHECK(csg_surface_winding(surface, p) == (r < 1), "at %g %g %g", p.x, p.y, p.z);
     }

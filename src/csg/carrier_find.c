@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+
+/* Which carrier a leaf's face lies on, of those that are in the index: docs/coincidence.md. */
+
+#include "csg/carrier_builder.h"
+#include "csg/object.h"
+#include "solids/sample.h"
+
+/* Points of a quadric's surface that decide whether it lies on another one; nine fix a quadric. */
+#define CSG_NUM_SAMPLES 24
+
+struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *builder, uint32_t leaf)
+{
+    const struct csg_box box = csg_leaf_box(&builder->scene->leaves[leaf]);
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const double rounding = shape->rounding;
+    if (!csg_box_is_finite(&box))
+        return (struct csg_leaf_extent){csg_map_point(&shape->frame, csg_vec3(0, 0, 0)), INFINITY,
+                               builder->radius, rounding};
+    const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    return (struct csg_leaf_extent){csg_scale(0.5, csg_add(box.lo, box.hi)), radius, radius,
+                                    rounding};
+}
+
+double csg_carrier_tolerance(const struct csg_leaf_extent *extent, double other_rounding)
+{
+    const double size = csg_length(extent->center) + extent->reach;
+    return extent->rounding + other_rounding + CSG_COINCIDENT_RELATIVE * size;
+}
+
+/* Largest distance between two planes over a ball; s is the sign that aligns the normals. */
+static double plane_deviation(const struct csg_plane *a, const struct csg_plane *b, double s,
+                              const struct csg_leaf_extent *extent)
+{
+    const struct csg_vec3 n = csg_sub(a->normal, csg_scale(s, b->normal));
+    const double turn = csg_length(n);
+    /* An unbounded face coincides only with a parallel one, to the noise of double arithmetic. */
+    if (!isfinite(extent->radius) && turn > CSG_COINCIDENT_RELATIVE)
+        return INFINITY;
+    return fabs(csg_dot(n, extent->center) - (a->offset - s * b->offset)) + turn * extent->reach;
+}
+
+static double alignment(const struct csg_plane *a, const struct csg_plane *b)
+{
+    return csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
+}
+
+/* Of the carriers parallel to like. */
+static bool find_parallel(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                          const struct csg_plane *like, const struct csg_leaf_extent *extent,
+                          struct csg_face *face)
+{
+    struct csg_index_probe probe;
+    csg_index_probe_parallel(&builder->index, like, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_plane *carrier = &builder->carriers->planes[i];
+        const double s = alignment(plane, carrier);
+        if (plane_deviation(plane, carrier, s, extent) <=
+            csg_carrier_tolerance(extent, builder->plane_rounding.data[i])) {
+            *face = (struct csg_face){i, s < 0};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The plane through the middle of the leaf's face that has another one's normal. */
+static struct csg_plane turned_plane(const struct csg_plane *plane, const struct csg_plane *other,
+                                     const struct csg_leaf_extent *extent)
+{
+    const double s = alignment(plane, other);
+    const struct csg_vec3 turn = csg_sub(plane->normal, csg_scale(s, other->normal));
+    return (struct csg_plane){other->normal,
+                              s * (plane->offset - csg_dot(turn, extent->center))};
+}
+
+bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,
+                            const struct csg_plane *plane, const struct csg_leaf_extent *extent,
+                            struct csg_face *face)
+{
+    if (find_parallel(builder, plane, plane, extent, face))
+        return true;
+    struct csg_index_probe probe;
+    csg_index_probe_normals(&builder->index, plane, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_plane *carrier = &builder->carriers->planes[i];
+        const struct csg_plane like = turned_plane(plane, carrier, extent);
+        if (plane_deviation(plane, &like, alignment(plane, &like), extent) <=
+                csg_carrier_tolerance(extent, builder->largest_rounding) &&
+            find_parallel(builder, plane, &like, extent, face))
+            return true;
+    }
+    return false;
+}
+
+/* Same normal form up to sign: the only quadrics that can be the same surface. */
+static bool same_class(const struct csg_quadric *a, const struct csg_quadric *b)
+{
+    for (double s = 1; s >= -1; s -= 2)
+        if (a->diag[0] == s * b->diag[0] && a->diag[1] == s * b->diag[1] &&
+            a->diag[2] == s * b->diag[2] && a->diag[3] == s * b->diag[3] &&
+            fabs(a->linear) == fabs(b->linear))
+            return true;
+    return false;
+}
+
+/* Whether the insides lie on different sides. The normal form does not tell: a saddle's complement
+ * has the same one. */
+static bool is_flipped(const struct csg_quadric *a, const struct csg_quadric *b, struct csg_vec3 at)
+{
+    return csg_dot(csg_quadric_gradient(a, at), csg_quadric_gradient(b, at)) < 0;
+}
+
+static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec3 *points,
+                         size_t num_points, double tolerance_length)
+{
+    for (size_t i = 0; i < num_points; i++) {
+        const double slope = csg_length(csg_quadric_gradient(carrier, points[i]));
+        if (!(fabs(csg_quadric_value(carrier, points[i])) <= tolerance_length * slope))
+            return false;
+    }
+    return num_points >= 9;
+}
+
+/* Whether the leaf lay on the carrier before, with nothing changed that decides it: of a leaf
+ * without bounds the whole scene does. */
+static bool was_on(const struct csg_carrier_builder *builder, uint32_t leaf,
+                   const struct csg_leaf_extent *extent, uint32_t carrier, struct csg_face *face)
+{
+    const struct csg_carriers_before *before = builder->before;
+    if (!before || before->changed[leaf] || !isfinite(extent->radius))
+        return false;
+    const struct csg_face was = before->carriers->quadric_faces[leaf];
+    const uint32_t owner = builder->carriers->quadric_leaves[carrier];
+    if (was.carrier == CSG_NO_CARRIER || before->changed[owner] ||
+        before->carriers->quadric_leaves[was.carrier] != owner)
+        return false;
+    *face = (struct csg_face){carrier, was.flipped};
+    return true;
+}
+
+bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_t leaf,
+                         const struct csg_leaf_extent *extent, struct csg_face *face)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    struct csg_vec3 points[CSG_NUM_SAMPLES];
+    size_t num_points = 0;
+    struct csg_index_probe probe;
+    csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_quadric *carrier =
+            csg_carrier_quadric(builder->scene, builder->carriers, i);
+        if (!same_class(&shape->quadric, carrier))
+            continue;
+        if (was_on(builder, leaf, extent, i, face))
+            return true;
+        if (!num_points)
+            num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
+        if (same_surface(carrier, points, num_points,
+                         csg_carrier_tolerance(extent, builder->quadric_rounding.data[i]))) {
+            *face = (struct csg_face){i, is_flipped(&shape->quadric, carrier, points[0])};
+            return true;
+        }
+    }
+    return false;
+}
