@@ -180,6 +180,14 @@ bool csg_cut_space_is_reversed(const struct csg_cut_space *space)
     return space && space->reversed != (csg_map_determinant(&space->map) < 0);
 }
 
+/* PolySet::quantizeVertices(). Places nearer than a step to one that was there before are moved to
+ * that one; here they are not. */
+static double on_grid(double x)
+{
+    const double steps = 1 << 20;
+    return trunc(x * steps) / steps;
+}
+
 static void take_corners(struct csg_cutter *cutter, const struct csg_vec3 *points,
                          const uint32_t *face, uint32_t num, bool reversed)
 {
@@ -187,6 +195,8 @@ static void take_corners(struct csg_cutter *cutter, const struct csg_vec3 *point
         struct csg_vec3 p = points[face[reversed ? num - 1 - i : i]];
         if (cutter->space)
             p = csg_map_point(&cutter->space->map, p);
+        if (cutter->space && cutter->space->on_grid)
+            p = csg_vec3(on_grid(p.x), on_grid(p.y), on_grid(p.z));
         cutter->corners[i][0] = (float)p.x;
         cutter->corners[i][1] = (float)p.y;
         cutter->corners[i][2] = (float)p.z;

@@ -19,6 +19,7 @@ struct csg_tess_module;
 /* Where faces are cut, which decides their triangles. */
 struct csg_cut_space {
     struct csg_map map; /* to there */
+    bool on_grid;       /* OpenSCAD moves points to its grid first, for CGAL's Booleans */
     bool reversed;      /* OpenSCAD has the corners of a face in the other order, before the map */
 };
 

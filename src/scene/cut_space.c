@@ -73,8 +73,10 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
         uint32_t around = siblings.begin;
         while (csg_walk_node(walk, around)->end <= node)
             around = csg_walk_node(walk, around)->end;
-        if (has_several(walk, &siblings))
+        if (has_several(walk, &siblings)) {
             space.map = csg_map_identity;
+            to->on_grid = true;
+        }
         if (around == node)
             break;
         if (is_resize(walk, around))

@@ -81,7 +81,7 @@ static bool read_mesh(const struct csg_args *args, bool points_only, struct csg_
 bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh)
 {
-    struct csg_cut_space space = {csg_map_identity, reversed};
+    struct csg_cut_space space = {.map = csg_map_identity, .reversed = reversed};
     if (walk->points_only)
         return true;
     if (csg_mesh_is_bent(mesh) && !csg_cut_space_find(walk, node, &space))

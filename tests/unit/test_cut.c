@@ -87,7 +87,7 @@ static void check_squares(void)
     const struct csg_vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}};
     const struct csg_vec3 turned[4] = {{1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}, {0, 0, 0}};
     const struct csg_vec3 folded[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
-    const struct csg_cut_space behind = {csg_map_identity, true};
+    const struct csg_cut_space behind = {.map = csg_map_identity, .reversed = true};
     struct csg_cut_space mirrored = behind;
     mirrored.map.m[0][0] = -1;
     check_diagonal(NULL, square, false);
