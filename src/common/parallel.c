@@ -37,18 +37,22 @@ static size_t start(struct job *job, pthread_t *threads, size_t num)
     return started;
 }
 
+/* Besides the caller, for num tasks. */
+static size_t num_helpers(int num_threads, size_t num)
+{
+    const long cores = num_threads > 0 ? num_threads : sysconf(_SC_NPROCESSORS_ONLN);
+    size_t helpers = cores > 1 ? (size_t)cores - 1 : 0;
+    helpers = helpers > MAX_THREADS ? MAX_THREADS : helpers;
+    return helpers < num - 1 ? helpers : num - 1;
+}
+
 void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user)
 {
     struct job job = {.task = task, .user = user, .num = num};
     pthread_t threads[MAX_THREADS];
-    const long cores = num_threads > 0 ? num_threads : sysconf(_SC_NPROCESSORS_ONLN);
-    size_t helpers = cores > 1 ? (size_t)cores - 1 : 0;
-    helpers = helpers > MAX_THREADS ? MAX_THREADS : helpers;
-    if (num < 2)
-        helpers = 0;
-    else if (helpers > num - 1)
-        helpers = num - 1;
-    const size_t started = start(&job, threads, helpers);
+    size_t started = 0;
+    if (num > 1) /* a single task is not worth the system's calls: some have one for each object */
+        started = start(&job, threads, num_helpers(num_threads, num));
     work(&job);
     for (size_t i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
