@@ -174,8 +174,9 @@ static bool execute(struct run *run, const struct csgcast_scene_params *params)
 /* The cameras, out of what openscad printed. */
 static bool take_cameras(struct run *run)
 {
-    struct csg_bytes source;
-    if (!csg_file_read(run->input, &source, run->log))
+    struct csg_bytes source = {0};
+    if (csg_viewpoint_is_asked(&run->process.output) &&
+        !csg_file_read(run->input, &source, run->log))
         return false;
     const bool taken = csg_viewpoint_take(run->flattened, &run->process.output, &source);
     free(source.data);

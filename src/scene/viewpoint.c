@@ -86,17 +86,13 @@ static unsigned find_assigned(const struct csg_bytes *source)
 /* The number at *text, which moves behind it; false: there is none. */
 static bool read_number(const char **text, const char *end, double *value)
 {
-    const bool negative = *text < end && **text == '-';
-    const char *begin = *text + negative;
-    const size_t length = (size_t)(end - begin);
+    const size_t length = (size_t)(end - *text);
     size_t num = 0;
-    struct csg_number number;
-    while (num < length && memchr("0123456789.e+-", begin[num], 14))
+    while (num < length && memchr("0123456789.e+-", (*text)[num], 14))
         num++;
-    if (!csg_number_read(begin, num, &number))
+    if (!csg_number_read_signed(*text, num, value))
         return false;
-    *value = negative ? -number.value : number.value;
-    *text = begin + num;
+    *text += num;
     return true;
 }
 
@@ -154,18 +150,28 @@ static struct csgcast_camera read_camera(const char *text, const char *end, unsi
 
 /* ---- the messages --------------------------------------------------------------------------- */
 
+bool csg_viewpoint_is_asked(const struct csg_bytes *messages)
+{
+    const char *line = messages->data, *const end = line + messages->num;
+    while (line < end && !begins(line, end, warning_begin)) {
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
+        line = newline ? newline + 1 : end;
+    }
+    return line < end;
+}
+
 bool csg_viewpoint_take(struct csg_flattened *flattened, struct csg_bytes *messages,
                         const struct csg_bytes *source)
 {
-    const unsigned assigned = find_assigned(source);
+    const bool asked = csg_viewpoint_is_asked(messages);
+    const unsigned assigned = asked ? find_assigned(source) : 0;
     const char *line = messages->data, *const end = line + messages->num;
     char *kept = messages->data;
-    bool asked = false, enough = true;
+    bool enough = true;
     while (line < end && enough) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
         const char *next = newline ? newline + 1 : end;
         const bool echo = begins(line, end, echo_begin), warning = begins(line, end, warning_begin);
-        asked |= warning;
         if (echo)
             enough = csg_array_push(&flattened->cameras,
                                     read_camera(line + sizeof echo_begin - 1, next, assigned));

@@ -12,10 +12,13 @@
 /* For -D: the echo. */
 extern const char csg_viewpoint_define[];
 
+/* Whether openscad says that the file asks for a camera. */
+bool csg_viewpoint_is_asked(const struct csg_bytes *messages);
+
 /*
  * Takes what the echoes printed, and the warning that goes with it, out of openscad's messages, to
  * flattened->cameras. source: the .scad's text, to tell what is assigned from what openscad has by
- * default. false: out of memory.
+ * default; empty where no camera is asked for. false: out of memory.
  */
 bool csg_viewpoint_take(struct csg_flattened *flattened, struct csg_bytes *messages,
                         const struct csg_bytes *source);
