@@ -75,20 +75,21 @@ static void read_field(const char *path, const char *key, char *text, size_t siz
 /* "OpenSCAD version 2021.01", on standard error. */
 static void read_openscad(struct csg_report *report)
 {
-    char folder[PATH_MAX - 8], log[PATH_MAX], line[64] = "";
+    struct csg_folder folder = {0};
+    char log[PATH_MAX], line[64] = "";
     const struct csg_cli_options *options = report->options;
     const char *program = options->scene.openscad ? options->scene.openscad : getenv("OPENSCAD");
     const char *argv[] = {program && *program ? program : "openscad", "--version", NULL};
-    if (!csg_process_make_folder(folder, (int)sizeof folder))
+    if (!csg_process_make_folder(&folder))
         return;
-    snprintf(log, sizeof log, "%s/log", folder);
+    snprintf(log, sizeof log, "%s/log", folder.path);
     FILE *file = csg_process_run(argv, log, 10, NULL) == CSG_PROCESS_DONE ? fopen(log, "r") : NULL;
     if (file && fgets(line, sizeof line, file))
         line[strcspn(line, "\n")] = 0;
     if (file)
         fclose(file);
     snprintf(report->openscad, sizeof report->openscad, "%s", line[0] ? line : "no OpenSCAD");
-    csg_process_remove_folder(folder);
+    csg_folder_remove(&folder);
 }
 
 /* How many processes want a processor; 0 where the system does not say. */

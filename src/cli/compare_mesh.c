@@ -150,7 +150,7 @@ static bool has_extension(const char *path, const char *extension)
 bool csg_mesh_source_read(struct csg_mesh_source *source, const struct csg_compare_module *module)
 {
     const char *given = source->options->compare.mesh;
-    char folder[PATH_MAX];
+    struct csg_folder folder = {0};
     source->name = given ? given : openscad_program(source);
     if (given && !has_extension(given, ".3mf"))
         return read_mesh(source, module, given);
@@ -158,10 +158,10 @@ bool csg_mesh_source_read(struct csg_mesh_source *source, const struct csg_compa
         csg_cli_error("a scene from standard input needs --mesh=FILE");
         return false;
     }
-    if (!csg_process_make_folder(folder, (int)sizeof folder))
+    if (!csg_process_make_folder(&folder))
         return false;
-    const bool ok = given ? convert_mesh(source, module, given, folder)
-                          : make_mesh(source, module, source->options->input, folder);
-    csg_process_remove_folder(folder);
+    const bool ok = given ? convert_mesh(source, module, given, folder.path)
+                          : make_mesh(source, module, source->options->input, folder.path);
+    csg_folder_remove(&folder);
     return ok;
 }

@@ -3,7 +3,6 @@
 
 #include "messages.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -67,33 +66,10 @@ bool csg_process_exists(const char *program)
     return false;
 }
 
-bool csg_process_make_folder(char *text, int size)
+bool csg_process_make_folder(struct csg_folder *folder)
 {
-    char *folder = csg_folder_make();
-    const int num = folder ? snprintf(text, (size_t)size, "%s", folder) : -1;
-    const bool ok = num > 0 && num < size;
-    if (!ok) {
-        csg_cli_error("cannot make a folder for temporary files: %s",
-                      strerror(folder ? ENAMETOOLONG : errno));
-        text[0] = 0;
-    }
-    if (folder && !ok)
-        rmdir(folder);
-    free(folder);
-    return ok;
-}
-
-void csg_process_remove_folder(const char *folder)
-{
-    DIR *dir = folder[0] ? opendir(folder) : NULL;
-    char path[PATH_MAX];
-    for (struct dirent *entry = dir ? readdir(dir) : NULL; entry; entry = readdir(dir)) {
-        const int num = snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        if (num > 0 && (size_t)num < sizeof path)
-            unlink(path); /* fails for . and .. */
-    }
-    if (dir) {
-        closedir(dir);
-        rmdir(folder);
-    }
+    if (csg_folder_make(folder))
+        return true;
+    csg_cli_error("cannot make a folder for temporary files: %s", strerror(errno));
+    return false;
 }

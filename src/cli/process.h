@@ -6,6 +6,8 @@
 
 #include <stdbool.h>
 
+#include "common/folder.h"
+
 enum csg_process_end {
     CSG_PROCESS_DONE,      /* exit status 0 */
     CSG_PROCESS_FAILED,    /* another status, or a signal */
@@ -23,9 +25,7 @@ enum csg_process_end csg_process_run(const char *const *argv, const char *log, d
 /* Whether a program of that name is on the path. */
 bool csg_process_exists(const char *program);
 
-/* A new folder in $TMPDIR or /tmp; text holds size bytes. false, with a message. */
-bool csg_process_make_folder(char *text, int size);
-/* Removes the folder and the files in it. */
-void csg_process_remove_folder(const char *folder);
+/* csg_folder_make, with a message where it fails. */
+bool csg_process_make_folder(struct csg_folder *folder);
 
 #endif

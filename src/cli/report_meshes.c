@@ -75,7 +75,7 @@ static double read_number(const char *path)
 
 struct mesher {
     const struct csg_cli_options *options;
-    char folder[PATH_MAX - 32];
+    struct csg_folder folder;
     char stl[PATH_MAX], log[PATH_MAX], script[PATH_MAX];
 };
 
@@ -142,14 +142,14 @@ bool csg_report_make_mesh(const struct csg_report *report, const char *path,
     struct mesher mesher = {.options = report->options};
     char absolute[PATH_MAX];
     if (!realpath(path, absolute) ||
-        !csg_process_make_folder(mesher.folder, (int)sizeof mesher.folder)) {
+        !csg_process_make_folder(&mesher.folder)) {
         snprintf(item->note, sizeof item->note, "no temporary folder");
         return false;
     }
-    snprintf(mesher.stl, sizeof mesher.stl, "%s/mesh.stl", mesher.folder);
-    snprintf(mesher.log, sizeof mesher.log, "%s/log", mesher.folder);
-    snprintf(mesher.script, sizeof mesher.script, "%s/mesh.mjs", mesher.folder);
+    snprintf(mesher.stl, sizeof mesher.stl, "%s/mesh.stl", mesher.folder.path);
+    snprintf(mesher.log, sizeof mesher.log, "%s/log", mesher.folder.path);
+    snprintf(mesher.script, sizeof mesher.script, "%s/mesh.mjs", mesher.folder.path);
     const bool ok = run_mesher(&mesher, absolute, item, soup);
-    csg_process_remove_folder(mesher.folder);
+    csg_folder_remove(&mesher.folder);
     return ok;
 }

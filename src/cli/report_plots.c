@@ -195,19 +195,20 @@ static void show_log(const char *path)
 
 bool csg_report_plot(const struct csg_report *report)
 {
-    char folder[PATH_MAX - 16], script[PATH_MAX], log[PATH_MAX];
+    struct csg_folder folder = {0};
+    char script[PATH_MAX], log[PATH_MAX];
     const char *argv[] = {"gnuplot", script, NULL};
     csg_report_progress(report, "plots");
-    if (!csg_process_make_folder(folder, (int)sizeof folder))
+    if (!csg_process_make_folder(&folder))
         return false;
-    snprintf(script, sizeof script, "%s/plot.gp", folder);
-    snprintf(log, sizeof log, "%s/log", folder);
+    snprintf(script, sizeof script, "%s/plot.gp", folder.path);
+    snprintf(log, sizeof log, "%s/log", folder.path);
     const bool ok =
         print_script(report, script) && csg_process_run(argv, log, 120, NULL) == CSG_PROCESS_DONE;
     if (!ok) {
         show_log(log);
         csg_cli_error("gnuplot does not draw the plots");
     }
-    csg_process_remove_folder(folder);
+    csg_folder_remove(&folder);
     return ok;
 }

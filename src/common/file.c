@@ -78,26 +78,9 @@ char *csg_path_absolute(const char *path)
     if (path[0] == '/')
         return csg_join("", path);
     char *here = current_folder();
-    char *slashed = here ? csg_join(here, "/") : NULL;
-    char *absolute = slashed ? csg_join(slashed, path) : NULL;
+    char *absolute = here ? csg_join_three(here, "/", path) : NULL;
     free(here);
-    free(slashed);
     return absolute;
-}
-
-char *csg_folder_make(void)
-{
-    const char *parent = getenv("TMPDIR");
-    const char *used = parent && parent[0] == '/' ? parent : "/tmp";
-    const size_t size = strlen(used) + sizeof "/csgcast-XXXXXX";
-    char *name = malloc(size);
-    if (!name)
-        return NULL;
-    snprintf(name, size, "%s/csgcast-XXXXXX", used);
-    if (mkdtemp(name))
-        return name;
-    free(name);
-    return NULL;
 }
 
 bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log)

@@ -25,8 +25,4 @@ bool csg_file_read_all(int fd, struct csg_bytes *bytes);
 /* The path from the root on, for the caller to free. NULL: out of memory. */
 char *csg_path_absolute(const char *path);
 
-/* Makes a folder of our own below $TMPDIR or /tmp. The caller frees the name and removes the
- * folder. NULL, with errno set, on failure. */
-char *csg_folder_make(void);
-
 #endif

@@ -14,3 +14,11 @@ char *csg_join(const char *a, const char *b)
     }
     return joined;
 }
+
+char *csg_join_three(const char *a, const char *b, const char *c)
+{
+    char *joined = csg_join(a, b);
+    char *all = joined ? csg_join(joined, c) : NULL;
+    free(joined);
+    return all;
+}

@@ -4,5 +4,6 @@
 
 /* One text after the other, for the caller to free. NULL: out of memory. */
 char *csg_join(const char *a, const char *b);
+char *csg_join_three(const char *a, const char *b, const char *c);
 
 #endif

@@ -26,21 +26,13 @@ static bool begins_with(const char *text, const char *begin)
     return strncmp(text, begin, strlen(begin)) == 0;
 }
 
-static char *join_three(const char *a, const char *b, const char *c)
-{
-    char *joined = csg_join(a, b);
-    char *all = joined ? csg_join(joined, c) : NULL;
-    free(joined);
-    return all;
-}
-
 /* "LD_PRELOAD=theirs:module"; NULL: out of memory. */
 static char *preload_setting(const char *module)
 {
     const char *before = getenv("LD_PRELOAD");
     const bool is_set = before && before[0];
-    char *begin = csg_join(preload, is_set ? before : "");
-    char *setting = begin ? join_three(begin, is_set ? ":" : "", module) : NULL;
+    char *begin = csg_join_three(preload, is_set ? before : "", is_set ? ":" : "");
+    char *setting = begin ? csg_join(begin, module) : NULL;
     free(begin);
     return setting;
 }

@@ -5,22 +5,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "common/join.h"
 #include "scene/digits.h"
 #include "scene/openscad.h"
 
 /* The name of a frame's text, as openscad --animate makes it; NULL: out of memory. */
 static char *path_of(const struct csg_flattened *flattened, size_t frame)
 {
-    const size_t size = strlen(flattened->folder) + sizeof "/scene.csg" + 24;
-    char *path = malloc(size);
-    if (path && flattened->num_frames > 0)
-        snprintf(path, size, "%s/scene%05zu.csg", flattened->folder, frame);
-    else if (path)
-        snprintf(path, size, "%s/scene.csg", flattened->folder);
-    return path;
+    char name[48] = "scene.csg";
+    if (flattened->num_frames > 0)
+        snprintf(name, sizeof name, "scene%05zu.csg", frame);
+    return csg_folder_file(&flattened->folder, name);
 }
 
 static bool add_font(struct csg_flattened *flattened, const char *name, size_t length)
@@ -34,11 +29,6 @@ static bool add_font(struct csg_flattened *flattened, const char *name, size_t l
         return true;
     free(font);
     return false;
-}
-
-static char *path_of_fonts(const struct csg_flattened *flattened)
-{
-    return csg_join(flattened->folder, "/" CSG_DIGITS_FONTS);
 }
 
 /* A font a line. */
@@ -59,7 +49,7 @@ bool csg_flattened_find_fonts(struct csg_flattened *flattened,
                               const struct csgcast_scene_params *params, const struct csg_log *log)
 {
     struct csg_bytes list = {0};
-    char *path = path_of_fonts(flattened);
+    char *path = csg_folder_file(&flattened->folder, CSG_DIGITS_FONTS);
     bool ok = path != NULL;
     for (size_t i = 0; i < params->num_fonts && ok; i++)
         ok = add_font(flattened, params->fonts[i], strlen(params->fonts[i]));
@@ -87,20 +77,7 @@ struct csgcast_camera csg_flattened_camera(const struct csg_flattened *flattened
 
 void csg_flattened_finish(struct csg_flattened *flattened)
 {
-    const size_t num = flattened->num_frames > 0 ? flattened->num_frames : 1;
-    for (size_t i = 0; i < num && flattened->folder; i++) {
-        char *path = path_of(flattened, i);
-        if (path)
-            unlink(path);
-        free(path);
-    }
-    char *fonts = flattened->folder ? path_of_fonts(flattened) : NULL;
-    if (fonts)
-        unlink(fonts);
-    free(fonts);
-    if (flattened->folder)
-        rmdir(flattened->folder);
-    free(flattened->folder);
+    csg_folder_remove(&flattened->folder);
     for (size_t i = 0; i < flattened->fonts.num; i++)
         free(flattened->fonts.data[i]);
     free(flattened->fonts.data);

@@ -5,6 +5,7 @@
 /* What a hand-off has openscad evaluate: a text for each subtree, and its key in the cache. */
 
 #include "common/array.h"
+#include "common/folder.h"
 #include "scene/cache.h"
 #include "scene/handoff.h"
 #include "common/process.h"
@@ -27,7 +28,7 @@ struct csg_handoff_run {
     uint64_t fonts; /* as csg_text_fonts, once it is asked for */
     bool fonts_known;
     char *program;
-    char *folder; /* for files in between */
+    struct csg_folder folder; /* for files in between */
     CSG_ARRAY(struct csg_handoff_job) jobs;
     double begun, told; /* when work began, when the last word about it was said */
     size_t num_done;

@@ -98,11 +98,9 @@ static int ask_version(struct csg_handoff_run *run)
 
 static char *file_name(const struct csg_handoff_run *run, size_t job, const char *ending)
 {
-    const size_t size = strlen(run->folder) + strlen(ending) + 32;
-    char *name = malloc(size);
-    if (name)
-        snprintf(name, size, "%s/%zu%s", run->folder, job, ending);
-    return name;
+    char name[64];
+    snprintf(name, sizeof name, "%zu%s", job, ending);
+    return csg_folder_file(&run->folder, name);
 }
 
 /* Fonts that are not the machine's are not in the text. */
@@ -340,30 +338,16 @@ static bool evaluate(struct csg_handoff_run *run)
     struct slots slots = {calloc(max, sizeof *slots.processes), calloc(max, sizeof *slots.jobs), 0};
     bool ok = slots.processes && slots.jobs;
     run->begun = run->told = csg_clock_ms() / 1000;
-    run->folder = csg_folder_make();
-    if (!run->folder)
+    const bool has_folder = csg_folder_make(&run->folder);
+    if (!has_folder)
         csg_log_error(&run->report->log, CSGCAST_MESSAGE_FILE, "cannot make a temporary folder: %s",
                       strerror(errno));
-    ok = ok && (!run->folder || work(run, &slots, max));
+    ok = ok && (!has_folder || work(run, &slots, max));
     for (size_t i = 0; i < slots.num; i++)
         csg_process_finish(&slots.processes[i]);
     free(slots.processes);
     free(slots.jobs);
     return ok || csg_handoff_no_memory(run);
-}
-
-static void remove_files(const struct csg_handoff_run *run)
-{
-    static const char *const endings[] = {".scad", ".stl"};
-    for (size_t i = 0; run->folder && i < 2 * run->jobs.num; i++) {
-        char *name = file_name(run, i / 2, endings[i % 2]);
-        if (name)
-            unlink(name);
-        free(name);
-    }
-    if (run->folder)
-        rmdir(run->folder);
-    free(run->folder);
 }
 
 /* Takes the jobs that the cache has done. */
@@ -389,11 +373,11 @@ static bool use_cache(struct csg_handoff_run *run)
 
 static void finish(struct csg_handoff_run *run)
 {
-    remove_files(run);
     for (size_t i = 0; i < run->jobs.num; i++) {
         csg_process_finish(&run->jobs.data[i].process);
         free(run->jobs.data[i].key.data);
     }
+    csg_folder_remove(&run->folder);
     free(run->jobs.data);
     free(run->version.data);
     free(run->program);

@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/join.h"
 #include "common/process.h"
 #include "scene/digits.h"
 #include "scene/viewpoint.h"
@@ -46,11 +45,10 @@ static bool fail_to_start(const struct run *run, int error)
 
 static bool make_folder(struct run *run)
 {
-    char *folder = csg_folder_make();
-    run->flattened->folder = folder;
-    if (!folder)
+    struct csg_folder *folder = &run->flattened->folder;
+    if (!csg_folder_make(folder))
         return fail(run, "a temporary folder", errno);
-    run->output = csg_join(folder, "/scene.csg");
+    run->output = csg_folder_file(folder, "scene.csg");
     return run->output || csg_log_memory(run->log);
 }
 
@@ -160,7 +158,7 @@ static bool may_be_of_digits(const struct run *run)
 static bool execute(struct run *run, const struct csgcast_scene_params *params)
 {
     char **argv = make_argv(run, params);
-    char **environment = csg_digits_environment(run->flattened->folder);
+    char **environment = csg_digits_environment(run->flattened->folder.path);
     bool done = argv ? run_once(run, argv, environment) : csg_log_memory(run->log);
     if (done && environment && may_be_of_digits(run)) {
         csg_process_finish(&run->process);

@@ -4,13 +4,14 @@
 
 #include "common/array.h"
 #include "common/file.h"
+#include "common/folder.h"
 
 /* The program: the caller's, the environment's, or the one in the path. */
 const char *csg_openscad_program(const struct csgcast_scene_params *params);
 
 /* What openscad has made of a .scad file: texts in a folder of our own. It starts as zeroes. */
 struct csg_flattened {
-    char *folder;
+    struct csg_folder folder;
     size_t num_frames; /* 0: one text, of no animation */
     CSG_ARRAY(char *) fonts; /* of the parameters, and that the file uses */
     CSG_ARRAY(struct csgcast_camera) cameras; /* that the file asks for, a text; may be fewer */

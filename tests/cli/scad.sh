@@ -119,4 +119,42 @@ expect 1 "an animation that fails" render late.scad --animate=4 "${small[@]}" -o
 says "too late"
 check "no file is left" test ! -e late00000.png
 
+# ---- folders of those that were killed: the next call removes them, and no other one. ----
+rm -rf ./*
+mkdir tmp
+export TMPDIR=$work/tmp
+printf '#!/bin/sh\necho >>started\nexec sleep 60\n' >sleeps
+chmod +x sleeps
+echo 'cube(1);' >cube.scad
+
+# start VARIABLE: a csgcast that waits for an openscad that sleeps.
+start()
+{
+    local num
+    num=$(find tmp -mindepth 1 -type d | wc -l)
+    OPENSCAD=./sleeps setsid "$csgcast" render cube.scad -o never.png &
+    printf -v "$1" %s $!
+    while [[ $(find tmp -mindepth 1 -type d | wc -l) -eq $num ]]; do
+        sleep 0.02
+    done
+}
+
+start killed
+start living
+while [[ ! -e started || $(wc -l <started) -lt 2 ]]; do
+    sleep 0.02
+done
+touch "$(echo tmp/csgcast-* | cut -d ' ' -f 1)/scene.csg" tmp/csgcast-abcde tmp/other-abcdef
+mkdir tmp/csgcast-secret
+chmod 755 tmp/csgcast-secret
+kill -KILL "$killed"
+wait "$killed" 2>/dev/null
+expect 0 "a call after one that was killed" info cube.scad --no-gl
+check "its folder is gone, the other's and what is not ours stays" \
+    test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 4
+kill -KILL -- "-$killed" "-$living"
+wait "$living" 2>/dev/null
+expect 0 "a call after both were killed" info cube.scad --no-gl
+check "both folders are gone" test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 3
+
 finish

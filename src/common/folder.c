@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* flock, mkdtemp */
+#endif
+
+/*
+ * Whoever uses a folder holds a lock on it, which the system takes away however the process ends:
+ * a folder that can be locked belongs to nobody. File systems without locks keep what was left.
+ */
+#include "common/folder.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "common/join.h"
+
+#define PREFIX "csgcast-"
+#define PATTERN PREFIX "XXXXXX"
+
+static const int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+
+static const char *parent_folder(void)
+{
+    const char *named = getenv("TMPDIR");
+    return named && named[0] == '/' ? named : "/tmp";
+}
+
+/* Fails for folders in it, which are none of ours, and leaves them. */
+static void remove_files(int folder)
+{
+    const int copy = dup(folder); /* the other one goes on holding the lock */
+    DIR *stream = copy >= 0 ? fdopendir(copy) : NULL;
+    for (struct dirent *item = stream ? readdir(stream) : NULL; item; item = readdir(stream))
+        unlinkat(folder, item->d_name, 0);
+    if (stream)
+        closedir(stream);
+    else if (copy >= 0)
+        close(copy);
+}
+
+static bool is_ours(int folder)
+{
+    struct stat status;
+    return fstat(folder, &status) == 0 && status.st_uid == geteuid() &&
+           (status.st_mode & 0777) == 0700;
+}
+
+static void remove_if_left(int parent, const char *name)
+{
+    const int folder = openat(parent, name, folder_flags);
+    if (folder < 0)
+        return;
+    if (is_ours(folder) && flock(folder, LOCK_EX | LOCK_NB) == 0) {
+        remove_files(folder);
+        unlinkat(parent, name, AT_REMOVEDIR);
+    }
+    close(folder);
+}
+
+static void remove_left_ones(void)
+{
+    DIR *stream = opendir(parent_folder());
+    for (struct dirent *item = stream ? readdir(stream) : NULL; item; item = readdir(stream)) {
+        if (strlen(item->d_name) == strlen(PATTERN) &&
+            strncmp(item->d_name, PREFIX, strlen(PREFIX)) == 0)
+            remove_if_left(dirfd(stream), item->d_name);
+    }
+    if (stream)
+        closedir(stream);
+}
+
+/* false, with errno ENOENT: another process took it for left, before we had its lock. */
+static bool hold(struct csg_folder *folder)
+{
+    folder->lock = open(folder->path, folder_flags);
+    if (folder->lock < 0)
+        return false;
+    flock(folder->lock, LOCK_EX); /* where there are no locks, nobody removes it either */
+    if (access(folder->path, F_OK) == 0)
+        return true;
+    close(folder->lock);
+    errno = ENOENT;
+    return false;
+}
+
+/* false, with errno set: there is none. */
+static bool make_held(struct csg_folder *folder)
+{
+    folder->path = csg_join(parent_folder(), "/" PATTERN);
+    if (folder->path && mkdtemp(folder->path) && hold(folder))
+        return true;
+    const int error = errno;
+    if (folder->path)
+        rmdir(folder->path);
+    free(folder->path);
+    *folder = (struct csg_folder){0};
+    errno = error;
+    return false;
+}
+
+bool csg_folder_make(struct csg_folder *folder)
+{
+    enum { max_tries = 100 };
+    remove_left_ones();
+    for (int i = 0; i < max_tries; i++) {
+        if (make_held(folder))
+            return true;
+        if (errno != ENOENT)
+            return false;
+    }
+    return false;
+}
+
+char *csg_folder_file(const struct csg_folder *folder, const char *name)
+{
+    return csg_join_three(folder->path, "/", name);
+}
+
+void csg_folder_remove(struct csg_folder *folder)
+{
+    if (!folder->path)
+        return;
+    remove_files(folder->lock);
+    rmdir(folder->path);
+    close(folder->lock);
+    free(folder->path);
+    *folder = (struct csg_folder){0};
+}
