@@ -6,6 +6,7 @@
 
 #include "cells/build.h"
 #include "cells/kept.h"
+#include "common/hash.h"
 #include "csg/side.h"
 #include "common/parallel.h"
 #include "csg/carrier.h"
@@ -292,15 +293,14 @@ static bool emit_all(struct emitter *emitter)
     return ok;
 }
 
-/* Two numbers a step; the prime is FNV's (Fowler, Noll, Vo), the shift spreads the high bits. */
+/* Two numbers a step. */
 static uint64_t hash_texels(const float *texels, size_t num)
 {
     uint64_t hash = num;
     for (size_t i = 0; i < num; i += 2) {
         uint64_t bits;
         memcpy(&bits, texels + i, sizeof bits);
-        hash = (hash ^ bits) * 0x100000001b3u;
-        hash ^= hash >> 32;
+        hash = csg_hash_number(hash, bits);
     }
     return hash;
 }

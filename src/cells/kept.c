@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/hash.h"
 #include "csg/carrier.h"
 
 struct csg_kept {
@@ -15,19 +16,12 @@ struct csg_kept {
     } parts[];
 };
 
-/* FNV's prime (Fowler, Noll, Vo), eight bytes a step; the shift spreads the high bits. */
-static uint64_t add_number(uint64_t hash, uint64_t number)
-{
-    hash = (hash ^ number) * 0x100000001b3u;
-    return hash ^ hash >> 29;
-}
-
 static uint64_t add_doubles(uint64_t hash, const double *numbers, size_t num)
 {
     for (size_t i = 0; i < num; i++) {
         uint64_t bits;
         memcpy(&bits, &numbers[i], sizeof bits);
-        hash = add_number(hash, bits);
+        hash = csg_hash_number(hash, bits);
     }
     return hash;
 }
@@ -49,7 +43,7 @@ static uint64_t add_planes(uint64_t hash, const struct csg_carriers *carriers, u
         const struct csg_face face = carriers->faces[i];
         const struct csg_plane *plane = &carriers->planes[face.carrier];
         hash = add_doubles(add_vector(hash, plane->normal), &plane->offset, 1);
-        hash = add_number(hash, face.flipped);
+        hash = csg_hash_number(hash, face.flipped);
     }
     return hash;
 }
@@ -64,14 +58,14 @@ static uint64_t add_quadric(uint64_t hash, const struct csgcast_scene *scene, ui
     hash = add_doubles(hash, form, 5);
     hash = add_doubles(hash, &quadric->to_canon.m[0][0],
                        sizeof quadric->to_canon.m / sizeof(double));
-    return add_number(add_number(hash, face.flipped), (uint64_t)(carriers->sheets[leaf] + 1));
+    return csg_hash_number(csg_hash_number(hash, face.flipped), (uint64_t)(carriers->sheets[leaf] + 1));
 }
 
 static uint64_t add_leaf(uint64_t hash, const struct csg_cell_builder *top, uint32_t leaf)
 {
     const struct csg_leaf *own = &top->scene->leaves[leaf];
-    hash = add_number(add_number(hash, leaf), top->places[leaf]);
-    hash = add_number(hash, (uint64_t)(4 * top->is_box[leaf] + 2 * own->shape.has_quadric +
+    hash = csg_hash_number(csg_hash_number(hash, leaf), top->places[leaf]);
+    hash = csg_hash_number(hash, (uint64_t)(4 * top->is_box[leaf] + 2 * own->shape.has_quadric +
                                        own->shape.convex));
     hash = add_planes(add_box(hash, &own->box), top->scene->carriers, leaf);
     return own->shape.has_quadric ? add_quadric(hash, top->scene, leaf) : hash;
@@ -79,13 +73,13 @@ static uint64_t add_leaf(uint64_t hash, const struct csg_cell_builder *top, uint
 
 uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work *work)
 {
-    uint64_t hash = add_box(add_number(0, work->depth), &work->box);
+    uint64_t hash = add_box(csg_hash_number(0, work->depth), &work->box);
     hash = add_doubles(hash, &top->margin, 1);
-    hash = add_number(hash, (uint64_t)(2 * top->bunched + top->bunches.quadrics));
+    hash = csg_hash_number(hash, (uint64_t)(2 * top->bunched + top->bunches.quadrics));
     for (size_t i = 0; i < work->tree.num; i++) {
         const struct csg_node *node = &work->tree.data[i];
         hash =
-            add_number(hash, (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
+            csg_hash_number(hash, (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
         if (node->op == CSG_LEAF)
             hash = add_leaf(hash, top, node->leaf);
     }

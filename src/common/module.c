@@ -42,47 +42,36 @@ static bool find_own_folder(char folder[PATH_MAX])
     return slash != NULL;
 }
 
-static void *open_file(const char *path)
-{
-    return dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-}
-
 static bool is_in(const char *folder, const char *below, const char *name, char *path, size_t size)
 {
     const int length = snprintf(path, size, "%s%s/%s", folder, below, name);
     return length > 0 && (size_t)length < size && access(path, F_OK) == 0;
 }
 
-/* The reason is left for dlerror where the file is there but does not load. */
-static void *open_in(const char *folder, const char *below, const char *name)
-{
-    char path[PATH_MAX + 64];
-    return is_in(folder, below, name, path, sizeof path) ? open_file(path) : NULL;
-}
-
-void *csg_module_open(const char *name, const char *variable)
+static bool find(const char *name, char *path, size_t size)
 {
     char folder[PATH_MAX];
-    const char *chosen = getenv(variable);
-    if (chosen && *chosen)
-        return open_file(chosen);
-    void *module = NULL;
-    dlerror();
-    if (find_own_folder(folder))
-        for (size_t i = 0; i < sizeof places / sizeof *places && !module; i++)
-            module = open_in(folder, places[i], name);
-    return module ? module : open_in(csg_module_dir, "", name);
-}
-
-bool csg_module_find(const char *name, const char *variable, char *path, size_t size)
-{
-    char folder[PATH_MAX];
-    const char *chosen = getenv(variable);
-    if (chosen && *chosen)
-        return snprintf(path, size, "%s", chosen) < (int)size && access(path, F_OK) == 0;
     if (find_own_folder(folder))
         for (size_t i = 0; i < sizeof places / sizeof *places; i++)
             if (is_in(folder, places[i], name, path, size))
                 return true;
     return is_in(csg_module_dir, "", name, path, size);
+}
+
+void *csg_module_open(const char *name, const char *variable)
+{
+    char path[PATH_MAX + 64];
+    const char *chosen = getenv(variable);
+    dlerror(); /* what was said before is not about this one */
+    if (!chosen || !*chosen)
+        chosen = find(name, path, sizeof path) ? path : NULL;
+    return chosen ? dlopen(chosen, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) : NULL;
+}
+
+bool csg_module_find(const char *name, const char *variable, char *path, size_t size)
+{
+    const char *chosen = getenv(variable);
+    if (chosen && *chosen)
+        return snprintf(path, size, "%s", chosen) < (int)size && access(path, F_OK) == 0;
+    return find(name, path, size);
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/hash.h"
 #include "common/number.h"
 #include "files/dxf_lines.h"
 
@@ -280,13 +281,9 @@ static bool end_ellipse(struct reader *reader)
 
 /* ---- blocks --------------------------------------------------------------------------------- */
 
-/* FNV-1a. */
 static uint32_t bucket_of(struct word name)
 {
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < name.length; i++)
-        hash = (hash ^ (unsigned char)name.at[i]) * 16777619u;
-    return hash % num_buckets;
+    return (uint32_t)(csg_hash(CSG_HASH_START, name.at, name.length) % num_buckets);
 }
 
 /* The block's index + 1; 0: there is none. */

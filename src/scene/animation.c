@@ -26,11 +26,11 @@ static bool keep(struct csgcast_animation *animation, const char *path,
                  const struct csgcast_scene_params *params)
 {
     struct csgcast_scene_params placed = *params;
-    char *directory = params->directory ? NULL : csg_scene_directory(path);
-    placed.directory = params->directory ? params->directory : directory;
+    char *own;
+    const bool is_placed = csg_scene_place(&placed, path, &own);
     animation->path = csg_join(path, "");
-    animation->source = placed.directory ? csg_source_create(NULL, 0, &placed) : NULL;
-    free(directory);
+    animation->source = is_placed ? csg_source_create(NULL, 0, &placed) : NULL;
+    free(own);
     if (!animation->path || !animation->source)
         return false;
     animation->source->params.log = params->log;

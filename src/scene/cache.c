@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "common/destination.h"
+#include "common/hash.h"
 #include "common/join.h"
 
 /* 256 MiB: some thousand subtrees of real files. */
@@ -33,14 +34,6 @@ struct header {
 };
 
 static const char magic[8] = "csgcast1";
-
-uint64_t csg_hash(uint64_t hash, const void *data, size_t size)
-{
-    const unsigned char *bytes = data;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ bytes[i]) * 0x100000001b3u;
-    return hash;
-}
 
 /* ---- where it is -------------------------------------------------------------------------- */
 

@@ -30,8 +30,4 @@ bool csg_cache_get(const struct csg_cache *cache, const struct csg_bytes *key,
 void csg_cache_put(const struct csg_cache *cache, const struct csg_bytes *key,
                    const struct csg_bytes *value);
 
-/* FNV-1a, 64 bits, going on from hash; start with CSG_HASH_START. */
-#define CSG_HASH_START 0xcbf29ce484222325u
-uint64_t csg_hash(uint64_t hash, const void *data, size_t size);
-
 #endif

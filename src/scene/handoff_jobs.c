@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/hash.h"
 #include "scene/subtree.h"
 #include "scene/text.h"
 

@@ -221,7 +221,7 @@ static struct csgcast_scene *load(const char *path, const struct csgcast_scene_p
     return scene;
 }
 
-char *csg_scene_directory(const char *path)
+static char *directory_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
     const size_t length = slash && slash > path ? (size_t)(slash - path) : 1;
@@ -231,25 +231,29 @@ char *csg_scene_directory(const char *path)
     return directory;
 }
 
+bool csg_scene_place(struct csgcast_scene_params *params, const char *path, char **own)
+{
+    *own = params->directory ? NULL : directory_of(path);
+    if (*own)
+        params->directory = *own;
+    return params->directory != NULL;
+}
+
 struct csgcast_scene *csgcast_scene_load(const char *path,
                                          const struct csgcast_scene_params *params)
 {
-    const struct csgcast_scene_params *used = params ? params : &default_params;
-    const struct csg_log log = {used->log, used->log_user};
+    struct csgcast_scene_params placed = params ? *params : default_params;
+    const struct csg_log log = {placed.log, placed.log_user};
+    char *own;
     if (!path) {
         csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a path");
         return NULL;
     }
-    if (used->directory)
-        return load(path, used, &log);
-    struct csgcast_scene_params placed = *used;
-    char *directory = csg_scene_directory(path);
-    if (!directory) {
+    if (!csg_scene_place(&placed, path, &own)) {
         csg_log_memory(&log);
         return NULL;
     }
-    placed.directory = directory;
     struct csgcast_scene *scene = load(path, &placed, &log);
-    free(directory);
+    free(own);
     return scene;
 }

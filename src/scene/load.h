@@ -21,8 +21,9 @@ struct csgcast_scene *csg_scene_of_frame(const struct csg_flattened *flattened, 
                                          const char *path,
                                          const struct csgcast_scene_params *params);
 
-/* The folder of a file, to be freed; NULL: out of memory. */
-char *csg_scene_directory(const char *path);
+/* Fills in the directory where params have none: that of the file at path, as own, to be freed.
+ * false: out of memory. */
+bool csg_scene_place(struct csgcast_scene_params *params, const char *path, char **own);
 
 struct csg_origins;
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/hash.h"
 #include "mesh/surface.h"
-#include "scene/cache.h"
 #include "scene/compounds.h"
 #include "scene/handoff.h"
 #include "scene/subtree.h"

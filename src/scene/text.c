@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "common/hash.h"
 #include "common/module.h"
-#include "scene/cache.h"
 #include "scene/figures.h"
 #include "scene/transforms.h"
 #include "solids/facets.h"
