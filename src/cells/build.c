@@ -21,15 +21,47 @@ static size_t count_leaves(const struct csg_tree *tree)
     return num;
 }
 
-/* What is left of the tree in the box. */
-static bool fold(struct csg_cell_builder *builder, const struct csg_box *box, struct csg_tree *tree)
+static uint8_t side_of(const struct csg_cell_builder *builder, uint32_t leaf,
+                       const struct csg_box *around)
+{
+    return builder->is_box[leaf] ? csg_side_of_box(&builder->scene->leaves[leaf].box, around)
+                                 : csg_side_of_leaf(builder->scene, leaf, false, around);
+}
+
+/* What is left of an intersection of literals, as csg_tree_simplify_to has it. */
+static bool fold_chain(struct csg_cell_builder *builder, const struct csg_box *around,
+                       const struct csg_tree *tree)
+{
+    struct csg_tree *left = &builder->room.tree;
+    left->num = 0;
+    if (!csg_array_reserve(left, tree->num))
+        return false;
+    left->data[left->num++] = tree->data[0];
+    for (size_t i = 1; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        const uint8_t side = side_of(builder, node->leaf, around);
+        if (side == CSG_VARIES)
+            left->data[left->num++] = *node;
+        else if ((side == CSG_NOTHING) != node->negated) {
+            left->num = 0;
+            return true;
+        }
+    }
+    left->data[0].end = (uint32_t)left->num;
+    return true;
+}
+
+/* What is left of the tree in the box: the room's tree. */
+static bool fold(struct csg_cell_builder *builder, const struct csg_box *box,
+                 const struct csg_tree *tree)
 {
     const struct csg_box around = csg_box_grown(box, builder->margin);
+    if (builder->bunched && tree->num && tree->data[0].op == CSG_AND)
+        return fold_chain(builder, &around, tree);
     for (size_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF)
-            builder->known[tree->data[i].leaf] = csg_side_of_leaf(
-                builder->scene, tree->data[i].leaf, builder->is_box[tree->data[i].leaf], &around);
-    return csg_tree_simplify(tree, builder->known);
+            builder->known[tree->data[i].leaf] = side_of(builder, tree->data[i].leaf, &around);
+    return csg_tree_simplify_to(&builder->room, tree, builder->known);
 }
 
 static bool put_record(struct csg_cell_builder *builder, uint32_t faces, uint32_t flags,
@@ -70,20 +102,21 @@ static bool put_literal(struct csg_cell_builder *builder, const struct csg_step 
     return put_record(builder, faces, flags, place, step->leaf);
 }
 
-static bool put_cell(struct csg_cell_builder *builder, const struct csg_work *work)
+static bool put_cell(struct csg_cell_builder *builder, const struct csg_work *work,
+                     const struct csg_tree *tree)
 {
     const struct csg_box around = csg_box_grown(&work->box, builder->margin);
     struct csg_branch *branch = &builder->branches.data[work->branch];
     branch->kind = CSG_BRANCH_CELL;
     if (builder->bunched) {
         branch->first = (uint32_t)(builder->bunches.texels.num / 4);
-        const bool ok = csg_bunches_add(&builder->bunches, &work->tree, &around);
+        const bool ok = csg_bunches_add(&builder->bunches, tree, &around);
         branch->end = (uint32_t)(builder->bunches.texels.num / 4);
         return ok;
     }
     branch->first = (uint32_t)(builder->records.num / 4);
     builder->program.num = 0;
-    if (work->tree.num && !csg_program_append(&builder->program, builder->scene, &work->tree, 0))
+    if (tree->num && !csg_program_append(&builder->program, builder->scene, tree, 0))
         return false;
     for (size_t i = 0; i < builder->program.num; i++) {
         const struct csg_step *step = &builder->program.data[i];
@@ -135,24 +168,24 @@ static struct csg_work pop_work(struct csg_cell_builder *builder)
     return top;
 }
 
-/* Folds the work's tree, which is taken: it waits to be cut, or it is a cell at once. */
-static bool add_work(struct csg_cell_builder *builder, struct csg_work work)
+/* What is left of the tree in the work's box waits to be cut, or it is a cell at once. */
+static bool add_work(struct csg_cell_builder *builder, struct csg_work work,
+                     const struct csg_tree *tree)
 {
-    bool ok = fold(builder, &work.box, &work.tree);
-    const size_t num = count_leaves(&work.tree);
+    const struct csg_tree *left = &builder->room.tree;
+    if (!fold(builder, &work.box, tree))
+        return false;
+    const size_t num = count_leaves(left);
     work.cost = (double)num * csg_box_half_area(&work.box);
-    if (ok && num > (builder->bunched ? SMALL_BUNCHED : SMALL_CELL) && work.depth < MAX_DEPTH) {
-        ok = push_work(builder, &work);
-        if (ok)
-            return true;
-    }
-    ok = ok && put_cell(builder, &work);
+    if (num <= (builder->bunched ? SMALL_BUNCHED : SMALL_CELL) || work.depth >= MAX_DEPTH)
+        return put_cell(builder, &work, left);
+    if (csg_tree_copy(left, &work.tree) && push_work(builder, &work))
+        return true;
     free(work.tree.data);
-    return ok;
+    return false;
 }
 
-/* Takes the work's tree. */
-static bool cut(struct csg_cell_builder *builder, struct csg_work *work,
+static bool cut(struct csg_cell_builder *builder, const struct csg_work *work,
                 const struct csg_split *split)
 {
     const uint32_t first = (uint32_t)builder->branches.num;
@@ -162,44 +195,34 @@ static bool cut(struct csg_cell_builder *builder, struct csg_work *work,
     struct csg_work upper = lower;
     upper.box = csg_split_box(&work->box, split, true);
     upper.branch = first + 1;
-    if (!csg_tree_copy(&work->tree, &lower.tree) || !csg_array_push(&builder->branches, open) ||
-        !csg_array_push(&builder->branches, open)) {
-        free(lower.tree.data);
+    if (!csg_array_push(&builder->branches, open) || !csg_array_push(&builder->branches, open))
         return false;
-    }
     builder->branches.data[work->branch] =
         (struct csg_branch){(uint8_t)split->axis, split->at, first, 0};
-    upper.tree = work->tree;
-    work->tree = (struct csg_tree){0};
-    const bool ok = add_work(builder, lower);
-    return add_work(builder, upper) && ok;
+    return add_work(builder, lower, &work->tree) && add_work(builder, upper, &work->tree);
 }
 
-static bool run(struct csg_cell_builder *builder, struct csg_work *work)
+static bool run(struct csg_cell_builder *builder, const struct csg_work *work)
 {
     struct csg_split split;
     if (csg_split_find(&builder->splitter, &work->box, &work->tree, &split))
         return cut(builder, work, &split);
-    return put_cell(builder, work);
+    return put_cell(builder, work, &work->tree);
 }
 
 void csg_cell_builder_start(struct csg_cell_builder *builder, const struct csg_box *box,
-                            struct csg_tree *tree, uint32_t depth)
+                            const struct csg_tree *tree, uint32_t depth)
 {
-    const struct csg_work work = {.box = *box, .tree = *tree, .depth = depth};
+    const struct csg_work work = {.box = *box, .depth = depth};
     const struct csg_branch open = {.kind = CSG_BRANCH_OPEN};
-    *tree = (struct csg_tree){0};
     builder->known = malloc(builder->scene->num_leaves + 1);
     builder->bunches.scene = builder->scene;
     builder->bunches.places = builder->places;
     builder->splitter.scene = builder->scene;
     builder->splitter.is_box = builder->is_box;
     builder->splitter.margin = builder->margin;
-    builder->failed = !builder->known || !csg_array_push(&builder->branches, open);
-    if (builder->failed)
-        free(work.tree.data);
-    else
-        builder->failed = !add_work(builder, work);
+    builder->failed = !builder->known || !csg_array_push(&builder->branches, open) ||
+                      !add_work(builder, work, tree);
 }
 
 void csg_cell_builder_cut(struct csg_cell_builder *builder, size_t num)
@@ -215,7 +238,7 @@ void csg_cell_builder_cut(struct csg_cell_builder *builder, size_t num)
 void csg_cell_builder_close(struct csg_cell_builder *builder)
 {
     for (size_t i = 0; i < builder->work.num && !builder->failed; i++)
-        builder->failed = !put_cell(builder, &builder->work.data[i]);
+        builder->failed = !put_cell(builder, &builder->work.data[i], &builder->work.data[i].tree);
 }
 
 void csg_cell_builder_finish(struct csg_cell_builder *builder)
@@ -229,5 +252,6 @@ void csg_cell_builder_finish(struct csg_cell_builder *builder)
     free(builder->bunches.texels.data);
     free(builder->splitter.leaves.data);
     free(builder->program.data);
+    csg_tree_room_finish(&builder->room);
     free(builder->known);
 }

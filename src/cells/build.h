@@ -42,6 +42,7 @@ struct csg_cell_builder {
     CSG_ARRAY(struct csg_work) work; /* a heap, the costliest first */
     struct csg_splitter splitter;
     struct csg_program program;
+    struct csg_tree_room room; /* its tree: what is left in the box at hand */
     uint8_t *known;
     bool nested; /* see csg_cells */
     bool failed; /* out of memory */
@@ -53,9 +54,9 @@ void csg_cell_builder_cut(struct csg_cell_builder *builder, size_t num);
 /* Makes cells of the works that are left. */
 void csg_cell_builder_close(struct csg_cell_builder *builder);
 
-/* Adds work whose tree it takes, for a new root. */
+/* Adds work, for a new root. */
 void csg_cell_builder_start(struct csg_cell_builder *builder, const struct csg_box *box,
-                            struct csg_tree *tree, uint32_t depth);
+                            const struct csg_tree *tree, uint32_t depth);
 
 void csg_cell_builder_finish(struct csg_cell_builder *builder);
 

@@ -80,28 +80,32 @@ static bool put_literal(const struct csg_bunches *bunches, const struct csg_bunc
     const uint32_t num = carriers->face_begin[literal->leaf + 1] - begin;
     const uint32_t place = bunches->places[literal->leaf];
     const size_t max = max_planes(bunches->quadrics);
-    struct bunch with = *bunch;
+    if (bunch->num_literals == NUM_LITERALS)
+        return false;
+    const size_t num_planes = bunch->num_planes, num_quadrics = bunch->num_quadrics;
     uint32_t mask = literal->negated ? CSG_BUNCH_NEGATED : 0;
     for (uint32_t i = 0; i < num; i++)
         if (csg_side_plane_varies(scene, carriers->faces[begin + i], box)) {
-            const size_t bit = find_surface(plane_of(carriers->faces[begin + i]), place + 1 + i,
-                                            with.planes, with.plane_places, &with.num_planes, max);
+            const size_t bit =
+                find_surface(plane_of(carriers->faces[begin + i]), place + 1 + i, bunch->planes,
+                             bunch->plane_places, &bunch->num_planes, max);
             mask |= 1u << bit;
         }
     if (scene->leaves[literal->leaf].shape.has_quadric &&
         csg_side_quadric_varies(scene, literal->leaf, box)) {
         const size_t bit =
-            find_surface(quadric_of(carriers, literal->leaf), place + 1 + num, with.quadrics,
-                         with.quadric_places, &with.num_quadrics, NUM_QUADRICS);
+            find_surface(quadric_of(carriers, literal->leaf), place + 1 + num, bunch->quadrics,
+                         bunch->quadric_places, &bunch->num_quadrics, NUM_QUADRICS);
         mask |= 1u << (CSG_BUNCH_FEW_PLANES + bit);
     }
-    if (with.num_planes > max || with.num_quadrics > NUM_QUADRICS ||
-        with.num_literals == NUM_LITERALS)
+    if (bunch->num_planes > max || bunch->num_quadrics > NUM_QUADRICS) {
+        bunch->num_planes = num_planes;
+        bunch->num_quadrics = num_quadrics;
         return false;
-    with.masks[with.num_literals] = mask;
-    with.leaves[with.num_literals++] =
+    }
+    bunch->masks[bunch->num_literals] = mask;
+    bunch->leaves[bunch->num_literals++] =
         literal->negated ? -(int32_t)(place + 1) : (int32_t)(place + 1);
-    *bunch = with;
     return true;
 }
 
@@ -140,14 +144,21 @@ static int compare_literals(const void *a, const void *b)
 
 static bool sort_literals(struct csg_bunches *bunches, const struct csg_tree *tree)
 {
+    struct csg_bunch_literal last = {0};
+    bool sorted = true;
     bunches->literals.num = 0;
-    for (size_t i = 0; i < tree->num; i++)
-        if (tree->data[i].op == CSG_LEAF &&
-            !csg_array_push(&bunches->literals, ((struct csg_bunch_literal){
-                                                    tree->data[i].leaf, tree->data[i].negated})))
+    for (size_t i = 0; i < tree->num; i++) {
+        const struct csg_bunch_literal own = {tree->data[i].leaf, tree->data[i].negated};
+        if (tree->data[i].op != CSG_LEAF)
+            continue;
+        if (!csg_array_push(&bunches->literals, own))
             return false;
-    qsort(bunches->literals.data, bunches->literals.num, sizeof *bunches->literals.data,
-          compare_literals);
+        sorted &= compare_literals(&last, &own) <= 0;
+        last = own;
+    }
+    if (!sorted)
+        qsort(bunches->literals.data, bunches->literals.num, sizeof *bunches->literals.data,
+              compare_literals);
     return true;
 }
 

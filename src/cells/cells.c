@@ -128,7 +128,6 @@ double csg_cells_cost(const struct csgcast_scene *scene, const struct csg_object
 static bool build(struct job *job, const struct csgcast_scene *scene,
                   const struct csg_object *object, struct csg_cells *cells)
 {
-    struct csg_tree tree = {0};
     job->places = find_places(scene, object);
     job->is_box = find_boxes(scene, object);
     job->top.scene = scene;
@@ -137,11 +136,16 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
     job->top.margin = cells->margin;
     job->top.bunched = cells->bunched =
         csg_bunches_can_hold(scene, object, &job->top.bunches.quadrics);
-    if (!job->places || !job->is_box ||
-        !csg_tree_append(&tree, scene->trees[object->layer].data, object->begin, object->end))
+    struct csg_tree tree = {0};
+    const bool has_tree =
+        job->places && job->is_box &&
+        csg_tree_append(&tree, scene->trees[object->layer].data, object->begin, object->end);
+    if (has_tree)
+        csg_cell_builder_start(&job->top, &cells->box, &tree, 0);
+    free(tree.data);
+    if (!has_tree)
         return false;
     job->top.max_branches = max_branches(scene, object);
-    csg_cell_builder_start(&job->top, &cells->box, &tree, 0);
     csg_cell_builder_cut(&job->top, NUM_PARTS);
     job->parts = calloc(job->top.work.num + 1, sizeof *job->parts);
     if (scene->keeps_structure)

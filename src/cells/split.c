@@ -51,10 +51,13 @@ static bool collect(struct csg_splitter *splitter, const struct csg_box *box,
     return true;
 }
 
-static int compare_places(const void *a, const void *b)
+/* They stay in order. */
+static void add_place(struct places *places, double at)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
+    size_t i = places->num++;
+    for (; i > 0 && places->at[i - 1] > at; i--)
+        places->at[i] = places->at[i - 1];
+    places->at[i] = at;
 }
 
 /* Places of the largest boxes, by area, the first of equal ones first. */
@@ -88,7 +91,7 @@ static void add_ends(const struct csg_splitter *splitter, const struct csg_box *
                             csg_vec3_component(leaf->box.hi, axis) - off};
     for (int i = 0; i < 2; i++)
         if (ends[i] > lo && ends[i] < hi)
-            places->at[places->num++] = ends[i];
+            add_place(places, ends[i]);
 }
 
 static void find_places(const struct csg_splitter *splitter, const struct csg_box *box,
@@ -103,9 +106,7 @@ static void find_places(const struct csg_splitter *splitter, const struct csg_bo
         add_ends(splitter, box, &splitter->leaves.data[i * step], axis, places);
     const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
     if (hi - lo > SMALLEST * splitter->margin)
-        places->at[places->num++] = 0.5 * (lo + hi);
-    if (places->num)
-        qsort(places->at, places->num, sizeof *places->at, compare_places);
+        add_place(places, 0.5 * (lo + hi));
 }
 
 /* How many places are below key. */
@@ -206,10 +207,11 @@ bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
     size_t largest[NUM_LARGEST];
     if (!collect(splitter, box, tree))
         return false;
-    const size_t num = splitter->leaves.num, num_largest = find_largest(splitter, largest);
+    const size_t num = splitter->leaves.num;
     *split = (struct csg_split){.axis = -1, .cost = (double)num};
     if (find_carving(splitter, box, split))
         return true;
+    const size_t num_largest = find_largest(splitter, largest);
     for (int axis = 0; axis < 3; axis++) {
         struct places places;
         find_places(splitter, box, largest, num_largest, axis, &places);

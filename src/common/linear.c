@@ -116,23 +116,10 @@ struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b)
         {csg_most(a->hi.x, b->hi.x), csg_most(a->hi.y, b->hi.y), csg_most(a->hi.z, b->hi.z)}};
 }
 
-struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b)
-{
-    return (struct csg_box){
-        {fmax(a->lo.x, b->lo.x), fmax(a->lo.y, b->lo.y), fmax(a->lo.z, b->lo.z)},
-        {fmin(a->hi.x, b->hi.x), fmin(a->hi.y, b->hi.y), fmin(a->hi.z, b->hi.z)}};
-}
-
 struct csg_box csg_box_grown(const struct csg_box *box, double by)
 {
     const struct csg_vec3 d = csg_vec3(by, by, by);
     return (struct csg_box){csg_sub(box->lo, d), csg_add(box->hi, d)};
-}
-
-double csg_box_half_area(const struct csg_box *box)
-{
-    const struct csg_vec3 size = csg_sub(box->hi, box->lo);
-    return box->lo.x > box->hi.x ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
 struct csg_vec3 csg_box_corner(const struct csg_box *box, int corner)

@@ -110,13 +110,23 @@ static inline bool csg_nearly(double a, double b)
 
 void csg_box_extend(struct csg_box *box, struct csg_vec3 p);
 struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b);
-struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b);
+
+static inline struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b)
+{
+    return (struct csg_box){
+        {csg_most(a->lo.x, b->lo.x), csg_most(a->lo.y, b->lo.y), csg_most(a->lo.z, b->lo.z)},
+        {csg_least(a->hi.x, b->hi.x), csg_least(a->hi.y, b->hi.y), csg_least(a->hi.z, b->hi.z)}};
+}
 
 /* The box with all its faces moved outwards by so much. */
 struct csg_box csg_box_grown(const struct csg_box *box, double by);
 
 /* Half of its surface; 0 where it is empty. */
-double csg_box_half_area(const struct csg_box *box);
+static inline double csg_box_half_area(const struct csg_box *box)
+{
+    const struct csg_vec3 size = csg_sub(box->hi, box->lo);
+    return box->lo.x > box->hi.x ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 /* Corner 0..7: bit 0 takes hi.x, bit 1 hi.y, bit 2 hi.z. */
 struct csg_vec3 csg_box_corner(const struct csg_box *box, int corner);

@@ -40,8 +40,7 @@ static struct span quadric_span(const struct csgcast_scene *scene, uint32_t leaf
                                 const struct csg_box *box)
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric =
-        csg_carrier_quadric(scene, scene->carriers, face.carrier);
+    const struct csg_quadric *quadric = csg_carrier_quadric(scene, scene->carriers, face.carrier);
     const struct csg_vec3 center = center_of(box), half = half_of(box);
     const struct csg_vec3 p = csg_map_point(&quadric->to_canon, center);
     const double value = csg_quadric_value(quadric, center);
@@ -57,18 +56,11 @@ static struct span quadric_span(const struct csgcast_scene *scene, uint32_t leaf
     return face.flipped ? (struct span){-span.hi, -span.lo} : span;
 }
 
-static bool is_apart(const struct csg_box *a, const struct csg_box *b)
-{
-    return a->hi.x < b->lo.x || b->hi.x < a->lo.x || a->hi.y < b->lo.y || b->hi.y < a->lo.y ||
-           a->hi.z < b->lo.z || b->hi.z < a->lo.z;
-}
-
 /* Of a box inside of a double cone or a hyperboloid of two sheets: whether on the leaf's sheet. */
 static bool is_on_sheet(const struct csgcast_scene *scene, uint32_t leaf, const struct csg_box *box)
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric =
-        csg_carrier_quadric(scene, scene->carriers, face.carrier);
+    const struct csg_quadric *quadric = csg_carrier_quadric(scene, scene->carriers, face.carrier);
     const int sheet = scene->carriers->sheets[leaf];
     return !scene->leaves[leaf].shape.convex ||
            sheet * csg_map_point(&quadric->to_canon, center_of(box)).z >= 0;
@@ -87,21 +79,14 @@ bool csg_side_is_box(const struct csgcast_scene *scene, uint32_t leaf)
     return true;
 }
 
-static bool holds(const struct csg_box *outer, const struct csg_box *inner)
-{
-    return outer->lo.x < inner->lo.x && inner->hi.x < outer->hi.x && outer->lo.y < inner->lo.y &&
-           inner->hi.y < outer->hi.y && outer->lo.z < inner->lo.z && inner->hi.z < outer->hi.z;
-}
-
 uint8_t csg_side_of_leaf(const struct csgcast_scene *scene, uint32_t leaf, bool is_box,
                          const struct csg_box *box)
 {
     const struct csg_carriers *carriers = scene->carriers;
     uint8_t known = CSG_EVERYTHING;
-    if (is_apart(&scene->leaves[leaf].box, box))
-        return CSG_NOTHING;
-    if (is_box)
-        return holds(&scene->leaves[leaf].box, box) ? CSG_EVERYTHING : CSG_VARIES;
+    const uint8_t by_box = csg_side_of_box(&scene->leaves[leaf].box, box);
+    if (is_box || by_box == CSG_NOTHING)
+        return by_box;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const struct span span = plane_span(scene, carriers->faces[i], box);
         if (span.lo > 0)
@@ -119,7 +104,13 @@ uint8_t csg_side_of_leaf(const struct csgcast_scene *scene, uint32_t leaf, bool 
 bool csg_side_plane_varies(const struct csgcast_scene *scene, struct csg_face face,
                            const struct csg_box *box)
 {
-    return plane_span(scene, face, box).hi >= 0;
+    const struct csg_plane *plane = &scene->carriers->planes[face.carrier];
+    const struct csg_vec3 n = face.flipped ? csg_scale(-1, plane->normal) : plane->normal;
+    const double offset = face.flipped ? -plane->offset : plane->offset;
+    const double most = csg_most(n.x * box->lo.x, n.x * box->hi.x) +
+                        csg_most(n.y * box->lo.y, n.y * box->hi.y) +
+                        csg_most(n.z * box->lo.z, n.z * box->hi.z);
+    return most - offset + NOISE * (fabs(offset) + fabs(most)) >= 0;
 }
 
 bool csg_side_quadric_varies(const struct csgcast_scene *scene, uint32_t leaf,

@@ -81,19 +81,25 @@ static bool emit_constant(struct csg_tree_room *out, uint8_t constant)
     return constant == CSG_NOTHING || csg_array_push(&out->tree, everything);
 }
 
-bool csg_tree_simplify_in(struct csg_tree_room *room, struct csg_tree *tree, const uint8_t *known)
+bool csg_tree_simplify_to(struct csg_tree_room *room, const struct csg_tree *tree,
+                          const uint8_t *known)
 {
+    room->folds.num = room->open.num = room->tree.num = 0;
     if (tree->num == 0)
         return true;
-    room->folds.num = room->open.num = room->tree.num = 0;
     if (!csg_array_reserve(&room->folds, tree->num) || !csg_array_reserve(&room->tree, tree->num))
         return false;
     struct csg_fold *folds = room->folds.data;
     for (size_t i = tree->num; i-- > 0;)
         folds[i] = tree->data[i].op == CSG_LEAF ? fold_leaf(&tree->data[i], known)
                                                 : fold_node(tree, folds, (uint32_t)i);
-    if (folds[0].constant == CSG_VARIES ? !emit_all(room, tree, folds)
-                                        : !emit_constant(room, folds[0].constant))
+    return folds[0].constant == CSG_VARIES ? emit_all(room, tree, folds)
+                                           : emit_constant(room, folds[0].constant);
+}
+
+bool csg_tree_simplify_in(struct csg_tree_room *room, struct csg_tree *tree, const uint8_t *known)
+{
+    if (!csg_tree_simplify_to(room, tree, known))
         return false;
     const struct csg_tree old = *tree;
     *tree = room->tree;

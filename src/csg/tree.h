@@ -63,6 +63,11 @@ struct csg_tree_room {
 };
 
 bool csg_tree_simplify_in(struct csg_tree_room *room, struct csg_tree *tree, const uint8_t *known);
+
+/* Leaves the tree as it is; the simpler one is the room's, until the next call. */
+bool csg_tree_simplify_to(struct csg_tree_room *room, const struct csg_tree *tree,
+                          const uint8_t *known);
+
 void csg_tree_room_finish(struct csg_tree_room *room);
 
 /* copy, zeroed before, becomes an equal tree. false: out of memory. */
