@@ -123,6 +123,23 @@ char *csg_folder_file(const struct csg_folder *folder, const char *name)
     return csg_join_three(folder->path, "/", name);
 }
 
+bool csg_folder_has_room(const struct csg_folder *folder)
+{
+    static const char some[16384]; /* more than what is left in a file's last block */
+    const int file =
+        openat(folder->lock, "room", O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    if (file < 0)
+        return false;
+    const ssize_t written = write(file, some, sizeof some);
+    const int error = written < 0 ? errno : ENOSPC;
+    const bool closed = close(file) == 0;
+    unlinkat(folder->lock, "room", 0);
+    if (written == sizeof some && closed)
+        return true;
+    errno = closed ? error : errno;
+    return false;
+}
+
 void csg_folder_remove(struct csg_folder *folder)
 {
     if (!folder->path)

@@ -19,6 +19,9 @@ bool csg_folder_make(struct csg_folder *folder);
 /* "FOLDER/NAME", for the caller to free. NULL: out of memory. */
 char *csg_folder_file(const struct csg_folder *folder, const char *name);
 
+/* Whether something can still be written there; false, with errno set, where the disk is full. */
+bool csg_folder_has_room(const struct csg_folder *folder);
+
 /* Removes the folder and the files in it. */
 void csg_folder_remove(struct csg_folder *folder);
 

@@ -2,6 +2,7 @@
 
 /* The texts that openscad has made of a .scad file, and the cameras that belong to them. */
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,13 +61,28 @@ bool csg_flattened_find_fonts(struct csg_flattened *flattened,
     return ok || csg_log_memory(log);
 }
 
+/* openscad does not tell when the disk is full. */
+static bool check_whole(const struct csg_flattened *flattened, const struct csg_log *log,
+                        struct csg_bytes *text)
+{
+    if (csg_digits_are_all(text->data, text->num) || csg_folder_has_room(&flattened->folder))
+        return true;
+    csg_log_error(log, CSGCAST_MESSAGE_FILE,
+                  "openscad's text may be cut: %s: %s; the environment variable TMPDIR names "
+                  "another place for temporary files",
+                  flattened->folder.path, strerror(errno));
+    free(text->data);
+    *text = (struct csg_bytes){0};
+    return false;
+}
+
 bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,
                         const struct csg_log *log, struct csg_bytes *text)
 {
     char *path = path_of(flattened, frame);
     const bool read = path ? csg_file_read(path, text, log) : csg_log_memory(log);
     free(path);
-    return read;
+    return read && check_whole(flattened, log, text);
 }
 
 struct csgcast_camera csg_flattened_camera(const struct csg_flattened *flattened, size_t frame)

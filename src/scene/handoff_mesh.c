@@ -16,14 +16,19 @@ enum {
 static const double float_rounding = 0x1p-24;
 static const double unit_slack = 1e-4; /* of the length of a normal computed in float */
 
+static uint32_t read_uint32(const char *bytes)
+{
+    unsigned char raw[4];
+    memcpy(raw, bytes, sizeof raw);
+    return (uint32_t)raw[0] | (uint32_t)raw[1] << 8 | (uint32_t)raw[2] << 16 |
+           (uint32_t)raw[3] << 24;
+}
+
 static struct csg_vec3 read_point(const char *bytes)
 {
-    unsigned char raw[12];
     float p[3];
-    memcpy(raw, bytes, sizeof raw);
     for (int i = 0; i < 3; i++) {
-        const uint32_t bits = (uint32_t)raw[4 * i] | (uint32_t)raw[4 * i + 1] << 8 |
-                              (uint32_t)raw[4 * i + 2] << 16 | (uint32_t)raw[4 * i + 3] << 24;
+        const uint32_t bits = read_uint32(bytes + 4 * i);
         memcpy(&p[i], &bits, sizeof p[i]);
     }
     return csg_vec3((double)p[0], (double)p[1], (double)p[2]);
@@ -61,9 +66,10 @@ static bool add_triangle(struct csg_mesh *mesh, const char *corners)
     return ok && csg_mesh_close_face(mesh);
 }
 
-enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh)
+static enum csg_stl_result read_triangles(const struct csg_bytes *bytes, struct csg_mesh *mesh)
 {
     bool ok = true;
+    uint32_t num = 0;
     if (bytes->num < header_size + count_size || bytes->num / short_size > UINT32_MAX / 3)
         return CSG_STL_MALFORMED;
     for (size_t at = header_size + count_size; at < bytes->num && ok;) {
@@ -74,11 +80,24 @@ enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh 
         if (is_whole)
             ok = add_triangle(mesh, bytes->data + at + 12);
         at += is_whole ? record_size : short_size;
+        num++;
     }
+    if (ok && num != read_uint32(bytes->data + header_size)) /* where the disk was full */
+        return CSG_STL_MALFORMED;
     if (!isfinite(mesh->size))
         return CSG_STL_MALFORMED;
     mesh->rounding = mesh->size * float_rounding;
     return ok && csg_mesh_clean(mesh, NULL) ? CSG_STL_DONE : CSG_STL_NO_MEMORY;
+}
+
+enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh)
+{
+    const enum csg_stl_result result = read_triangles(bytes, mesh);
+    if (result == CSG_STL_MALFORMED) {
+        csg_mesh_finish(mesh);
+        *mesh = (struct csg_mesh){0};
+    }
+    return result;
 }
 
 /* ---- outlines ----------------------------------------------------------------------------- */

@@ -17,8 +17,8 @@ enum csg_stl_result {
     CSG_STL_NO_MEMORY,
 };
 
-/* Adds the triangles to the mesh, corners at the same place joined; its rounding is that of floats.
- * Triangles without area are left out. */
+/* Fills an empty mesh with the triangles, corners at the same place joined; its rounding is that of
+ * floats. Triangles without area are left out. Malformed: it stays empty. */
 enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh);
 
 /* The floor at z = 0 of a drawing that was extruded from there: adds its contours, mapped, to the

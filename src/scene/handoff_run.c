@@ -241,8 +241,8 @@ static bool read_output(const struct csg_handoff_run *run, const struct csg_hand
     *stl = (struct csg_bytes){0};
     if (job->process.error || !WIFEXITED(status))
         return false;
-    if (WEXITSTATUS(status) == 0)
-        return csg_file_read(name, stl, &run->report->log);
+    if (WEXITSTATUS(status) == 0) /* also where the disk was full, and then it may have no bytes */
+        return csg_file_read(name, stl, &run->report->log) && stl->num > 0;
     return contains(&job->process.output, "top level object is empty");
 }
 

@@ -72,11 +72,13 @@ says "a.csg:4:3: import_dxf: only openscad can evaluate it, and '/nowhere/opensc
 OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported
 says "warning: a.csg:4:3"
 
-# A stand-in that fails, one that dies, one that writes nonsense.
+# A stand-in that fails, one that dies, one that writes nonsense, two for whom the disk is full.
 printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho "ERROR: no such thing"; exit 1\n' >fails
 printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\nkill -9 $$\n' >dies
 printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho nonsense >"$2"\n' >nonsense
-chmod +x fails dies nonsense
+printf '#!/bin/sh\nopenscad "$@"; [ "$1" = --version ] || : >"$2"\n' >full
+printf '#!/bin/sh\nopenscad "$@"; [ "$1" = --version ] || truncate -s -50 "$2"\n' >short
+chmod +x fails dies nonsense full short
 OPENSCAD=./fails expect 1 "openscad fails" info a.csg --no-gl
 says "error: a.csg:4:3: openscad: ERROR: no such thing"
 says "openscad reports an error (exit status 1)"
@@ -84,7 +86,10 @@ OPENSCAD=./dies expect 1 "openscad is killed" info a.csg --no-gl
 says "openscad was killed by signal 9"
 OPENSCAD=./nonsense expect 1 "openscad writes nonsense" info a.csg --no-gl
 says "its STL file cannot be read"
-check "none of these is in the cache" test "$(entries cache)" = 1
+OPENSCAD=./full expect 1 "openscad writes nothing" info a.csg --no-gl --cache=other
+OPENSCAD=./short expect 1 "openscad writes one triangle less" info a.csg --no-gl --cache=other
+says "its STL file cannot be read"
+check "none of these is in a cache" test "$(entries cache) $(entries other)" = "1 0"
 
 # Corrupt entries are as good as none.
 for file in cache/*.csgcast; do
