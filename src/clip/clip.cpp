@@ -156,12 +156,12 @@ csg_clip_result combine(csg_clip_op op, uint32_t num_operands, const csg_clip_pa
     }
 }
 
-/* ---- strokes -------------------------------------------------------------------------------- */
+/* ---- offsets -------------------------------------------------------------------------------- */
 
-constexpr double stroke_scale = 10000;
+/* What OpenSCAD allows a mitered corner, in units of the distance. */
+constexpr double miter_limit = 1e6;
 
-/* A round end of a wider stroke would have more than 100,000 corners. */
-constexpr double max_width = 1e5;
+constexpr double pi = 3.14159265358979323846;
 
 ClipperLib::JoinType join_of(csg_clip_join join)
 {
@@ -169,6 +169,33 @@ ClipperLib::JoinType join_of(csg_clip_join join)
         return ClipperLib::jtRound;
     return join == CSG_CLIP_JOIN_BEVEL ? ClipperLib::jtSquare : ClipperLib::jtMiter;
 }
+
+csg_clip_result offset(const csg_clip_offset *how, const csg_clip_path *paths, size_t num,
+                       const csg_clip_sink *sink)
+{
+    if (is_too_large(paths, num) || !(std::fabs(how->distance) < max_coordinate))
+        return CSG_CLIP_TOO_LARGE;
+    try {
+        const double tolerance = std::fabs(how->distance) * (1 - std::cos(pi / how->num));
+        ClipperLib::ClipperOffset mover(miter_limit, tolerance * scale);
+        PolyTree result;
+        for (size_t i = 0; i < num; i++)
+            mover.AddPath(path_of(paths[i]), join_of(how->join), ClipperLib::etClosedPolygon);
+        mover.Execute(result, how->distance * scale);
+        return hand_over(result, *sink) ? CSG_CLIP_DONE : CSG_CLIP_NO_MEMORY;
+    } catch (const ClipperLib::clipperException &) {
+        return CSG_CLIP_TOO_LARGE;
+    } catch (const std::exception &) {
+        return CSG_CLIP_NO_MEMORY;
+    }
+}
+
+/* ---- strokes -------------------------------------------------------------------------------- */
+
+constexpr double stroke_scale = 10000;
+
+/* A round end of a wider stroke would have more than 100,000 corners. */
+constexpr double max_width = 1e5;
 
 ClipperLib::EndType cap_of(csg_clip_cap cap)
 {
@@ -219,5 +246,5 @@ csg_clip_result stroke(const double *points, size_t num, const csg_clip_pen *pen
 
 extern "C" {
 extern __attribute__((visibility("default"))) const csg_clip_module CSG_CLIP_MODULE;
-const csg_clip_module CSG_CLIP_MODULE = {combine, stroke};
+const csg_clip_module CSG_CLIP_MODULE = {combine, offset, stroke};
 }

@@ -47,6 +47,13 @@ struct csg_clip_pen {
     enum csg_clip_cap cap;
 };
 
+/* How far an outline is moved, outwards or, negative, inwards. */
+struct csg_clip_offset {
+    double distance;
+    enum csg_clip_join join; /* BEVEL: Clipper's square joins */
+    int num;                 /* ROUND: segments of a full circle */
+};
+
 enum csg_clip_result {
     CSG_CLIP_DONE,
     CSG_CLIP_TOO_LARGE, /* coordinates beyond Clipper's grid: nothing was made */
@@ -58,6 +65,10 @@ struct csg_clip_module {
     enum csg_clip_result (*combine)(enum csg_clip_op op, uint32_t num_operands,
                                     const struct csg_clip_path *paths, size_t num_paths,
                                     const struct csg_clip_sink *sink);
+    /* The paths of all operands are one figure. */
+    enum csg_clip_result (*offset)(const struct csg_clip_offset *offset,
+                                   const struct csg_clip_path *paths, size_t num_paths,
+                                   const struct csg_clip_sink *sink);
     /* The outline of a stroke along points, on a grid of 1/10,000, as OpenSCAD 2021.01 draws SVG's
      * open paths (shape.cc). No points, no outline. */
     enum csg_clip_result (*stroke)(const double *points, size_t num, const struct csg_clip_pen *pen,
@@ -66,8 +77,8 @@ struct csg_clip_module {
 
 /* The module's one symbol, a const struct csg_clip_module, named with the version of this border.
  */
-#define CSG_CLIP_MODULE csg_clip_module_2
-#define CSG_CLIP_MODULE_NAME "csg_clip_module_2"
+#define CSG_CLIP_MODULE csg_clip_module_3
+#define CSG_CLIP_MODULE_NAME "csg_clip_module_3"
 
 #ifdef __cplusplus
 }

@@ -86,6 +86,19 @@ static bool add_point(void *user, double x, double y)
     return csg_drawing_add_point(user, x, y);
 }
 
+/* The first figure of result, which clip has filled, takes the place of the subtree at node. */
+static bool replace(struct csg_drawing *drawing, uint32_t node, const struct csg_drawing *result)
+{
+    const uint32_t end = drawing->nodes.data[node].end;
+    const struct csg_figure figure = {
+        .disc = csg_map_identity,
+        .rounding = csg_drawing_rounding(drawing, node, end),
+        .facetted = csg_drawing_is_facetted(drawing, node, end),
+    };
+    csg_drawing_cut(drawing, node);
+    return csg_drawing_append_figure(drawing, result, &figure);
+}
+
 static bool combine(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
                     const struct paths *paths, struct csg_drawing *result)
 {
@@ -95,14 +108,7 @@ static bool combine(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t
         &sink);
     if (done != CSG_CLIP_DONE)
         return done == CSG_CLIP_TOO_LARGE; /* it stays as it is */
-    const uint32_t end = drawing->nodes.data[node].end;
-    const struct csg_figure figure = {
-        .disc = csg_map_identity,
-        .rounding = csg_drawing_rounding(drawing, node, end),
-        .facetted = csg_drawing_is_facetted(drawing, node, end),
-    };
-    csg_drawing_cut(drawing, node);
-    return csg_drawing_append_figure(drawing, result, &figure);
+    return replace(drawing, node, result);
 }
 
 bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node)
@@ -114,4 +120,37 @@ bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint3
     free(paths.list.data);
     csg_drawing_finish(&result);
     return ok || csg_log_memory(&walk->builder->report->log);
+}
+
+static bool move(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
+                 const struct paths *paths, const struct csg_offset *offset,
+                 struct csg_drawing *result, bool *taken)
+{
+    static const enum csg_clip_join joins[] = {[CSG_JOIN_ROUND] = CSG_CLIP_JOIN_ROUND,
+                                               [CSG_JOIN_MITER] = CSG_CLIP_JOIN_MITER,
+                                               [CSG_JOIN_SQUARE] = CSG_CLIP_JOIN_BEVEL};
+    const struct csg_clip_sink sink = {result, begin_contour, add_point};
+    const struct csg_clip_offset how = {offset->distance, joins[offset->join], offset->num};
+    const enum csg_clip_result done =
+        walk->builder->clip.module->offset(&how, paths->list.data, paths->list.num, &sink);
+    *taken = done == CSG_CLIP_DONE;
+    return *taken ? replace(drawing, node, result) : done == CSG_CLIP_TOO_LARGE;
+}
+
+bool csg_clip_offset(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
+                     const struct csg_offset *offset, bool *taken)
+{
+    struct paths paths = {0};
+    struct csg_drawing result = {0};
+    uint32_t num = 0;
+    for (uint32_t i = node; i < drawing->nodes.data[node].end; i++)
+        num += drawing->nodes.data[i].op == CSG_DRAW_FIGURE;
+    *taken = false;
+    const bool ok = (num <= 1 || csg_clip_evaluate(walk, drawing, node)) &&
+                    ((collect(drawing, node, &paths) && csg_drawing_add_figure(&result, 0) &&
+                      move(walk, drawing, node, &paths, offset, &result, taken)) ||
+                     csg_log_memory(&walk->builder->report->log));
+    free(paths.list.data);
+    csg_drawing_finish(&result);
+    return ok;
 }

@@ -2,11 +2,11 @@
 #ifndef CSG_SCENE_CLIP_H
 #define CSG_SCENE_CLIP_H
 
-#include "plane/drawing.h"
+#include "plane/offset.h"
 #include "scene/walk.h"
 
 /*
- * Booleans of drawings with OpenSCAD's vertices, where those are wanted (--facets=as-written):
+ * Booleans and offsets of drawings with OpenSCAD's vertices, where those are wanted (--facets=as-written):
  * evaluated node by node with Clipper, on its grid.
  */
 
@@ -19,6 +19,11 @@ bool csg_clip_is_there(struct csg_walk *walk);
 /* Replaces the subtree at node, the last of the drawing, by one figure, an outline. Each of its
  * children is an operand. false, with a message, when memory is out. */
 bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node);
+
+/* Replaces the subtree at node, the last of the drawing, by what it becomes when its outline moves.
+ * taken: it did; coordinates may be too large for it. false, with a message, when memory is out. */
+bool csg_clip_offset(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
+                     const struct csg_offset *offset, bool *taken);
 
 void csg_clip_finish(struct csg_clip_state *state);
 

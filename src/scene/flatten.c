@@ -5,11 +5,18 @@
 #include "plane/minkowski.h"
 #include "plane/offset.h"
 #include "plane/resize.h"
+#include "scene/clip.h"
 #include "scene/resize.h"
 #include "solids/facets.h"
 
 /* Arcs of offsets with more segments than that are refused: nobody can tell them apart. */
 enum { max_segments = 65536 };
+
+static bool leave_empty(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t draw)
+{
+    csg_drawing_cut(drawing, draw);
+    return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+}
 
 /* What is too large is left out, with a message. */
 static bool finish(struct csg_walk *walk, uint32_t node, struct csg_drawing *drawing, uint32_t draw,
@@ -21,8 +28,7 @@ static bool finish(struct csg_walk *walk, uint32_t node, struct csg_drawing *dra
         return csg_log_memory(&walk->builder->report->log);
     csg_walk_unsupported(walk, node, "%s: the drawing in it has too many corners",
                          csg_walk_ops(walk, node)->name);
-    csg_drawing_cut(drawing, draw);
-    return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+    return leave_empty(walk, drawing, draw);
 }
 
 bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -32,9 +38,8 @@ bool csg_flatten_hull(struct csg_walk *walk, uint32_t node, const struct csg_arg
     return finish(walk, node, drawing, draw, csg_drawing_hull(drawing, draw));
 }
 
-/* r rounds the corners; delta mitres them, or with chamfer cuts them. Neither: r = 1 as in
- * OpenSCAD.
- */
+/* r rounds the corners; delta mitres them, or with chamfer cuts them. Neither: r = 1; not
+ * finite: nothing, both as in OpenSCAD. */
 bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                         struct csg_drawing *drawing, uint32_t draw)
 {
@@ -47,10 +52,13 @@ bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_a
     if (!is_round)
         offset.join = csg_args_bool(args, "chamfer", false) ? CSG_JOIN_SQUARE : CSG_JOIN_MITER;
     if (!isfinite(offset.distance))
-        offset.distance = 0;
+        return leave_empty(walk, drawing, draw);
     const int num = csg_facets_count(&facets, fabs(offset.distance));
     offset.num = num < max_segments ? num : max_segments;
-    return finish(walk, node, drawing, draw, csg_drawing_offset(drawing, draw, &offset));
+    bool taken = false;
+    if (csg_clip_is_wanted(walk) && !csg_clip_offset(walk, drawing, draw, &offset, &taken))
+        return false;
+    return taken || finish(walk, node, drawing, draw, csg_drawing_offset(drawing, draw, &offset));
 }
 
 bool csg_flatten_minkowski(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
