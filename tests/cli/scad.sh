@@ -144,14 +144,17 @@ start living
 while [[ ! -e started || $(wc -l <started) -lt 2 ]]; do
     sleep 0.02
 done
-touch "$(echo tmp/csgcast-* | cut -d ' ' -f 1)/scene.csg" tmp/csgcast-abcde tmp/other-abcdef
+for folder in tmp/csgcast-*; do
+    touch "$folder/scene.csg"
+done
+touch tmp/csgcast-abcde tmp/other-abcdef
 mkdir tmp/csgcast-secret
 chmod 755 tmp/csgcast-secret
 kill -KILL "$killed"
 wait "$killed" 2>/dev/null
 expect 0 "a call after one that was killed" info cube.scad --no-gl
 check "its folder is gone, the other's and what is not ours stays" \
-    test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 4
+    test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 5
 kill -KILL -- "-$killed" "-$living"
 wait "$living" 2>/dev/null
 expect 0 "a call after both were killed" info cube.scad --no-gl
