@@ -13,7 +13,8 @@ if(TARGET csgcast-tool)
     install(TARGETS csgcast-tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(FILES ${PROJECT_SOURCE_DIR}/docs/csgcast.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/csgcast)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/examples
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/csgcast)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/csgcastConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)

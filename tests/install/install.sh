@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-#   install.sh CMAKE BUILD CONSUMER CC LIBDIR GENERATOR: installs BUILD into a folder of its own,
-#   then builds and runs the program in CONSUMER against that, with CMake and with pkg-config.
+#   install.sh CMAKE BUILD EXAMPLES CC LIBDIR GENERATOR: installs BUILD into a folder of its own,
+#   then builds and runs the programs in EXAMPLES against that, with CMake and with pkg-config.
 
 set -u
-cmake=$1 build=$2 consumer=$3 cc=$4 libdir=$5 generator=$6
+cmake=$1 build=$2 examples=$3 cc=$4 libdir=$5 generator=$6
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
@@ -27,9 +27,17 @@ check()
 
 with_cmake()
 {
-    "$cmake" -S "$consumer" -B "$work/consumer" -G "$generator" -DCMAKE_PREFIX_PATH="$prefix" \
-        -DCMAKE_C_COMPILER="$cc" && "$cmake" --build "$work/consumer" &&
-        "$work/consumer/consumer" "$work/cmake.png" && [[ -s $work/cmake.png ]]
+    "$cmake" -S "$examples" -B "$work/examples" -G "$generator" -DCMAKE_PREFIX_PATH="$prefix" \
+        -DCMAKE_C_COMPILER="$cc" -DCMAKE_C_FLAGS="-Wall -Wextra -Wconversion -Werror" &&
+        "$cmake" --build "$work/examples" &&
+        "$work/examples/picture" "$work/cmake.png" && [[ -s $work/cmake.png ]]
+}
+
+# What is picked is the face on top of the plate.
+preview()
+{
+    "$work/examples/preview" | tee "$work/picked" &&
+        grep -q '^cube(\[20, 20, 6\], center = true), line 2, at .* 3\.000$' "$work/picked"
 }
 
 with_pkg_config()
@@ -38,7 +46,7 @@ with_pkg_config()
     export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
     [[ csgcast\ $(pkg-config --modversion csgcast) == $("$prefix/bin/csgcast" --version) ]] &&
         read -ra flags <<<"$(pkg-config --cflags --libs csgcast)" &&
-        "$cc" -std=c11 -Wall -Wextra -Werror "$consumer/consumer.c" "${flags[@]}" -lm \
+        "$cc" -std=c11 -Wall -Wextra -Werror "$examples/picture.c" "${flags[@]}" -lm \
             -o "$work/with-pkg-config" &&
         LD_LIBRARY_PATH=$prefix/$libdir "$work/with-pkg-config" "$work/pkg-config.png" &&
         [[ -s $work/pkg-config.png ]]
@@ -96,6 +104,11 @@ check "the one for digits as well" test -e "$prefix/$libdir/csgcast/csgcast-digi
 check "the installed tool runs" "$prefix/bin/csgcast" --version
 check "no file names the build folder" bash -c "! grep -rlI '$build' '$prefix'"
 check "a program with CMake" with_cmake
+check "an example with edits and picking" preview
+check "an example with threads" "$work/examples/threads"
+check "the same with OSMesa" "$work/examples/threads" osmesa
+check "the same without OpenGL" "$work/examples/threads" reference
+check "an example with OpenGL of its own" "$work/examples/host"
 check "a program with pkg-config" with_pkg_config
 check "exported names" exports_only_csgcast
 check "man page" man_page

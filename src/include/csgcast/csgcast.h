@@ -24,7 +24,8 @@
  * Threads: a scene is immutable while it is rendered and may be read by several renderers at once.
  * Who edits it (csgcast_scene_edit and its kin, csgcast_scene_get_leaf) must be alone with it.
  * A renderer belongs to one thread at a time. It makes its own context current during a call and
- * restores what was current before.
+ * restores what was current before. With EGL a process has one display per device: a program that
+ * calls eglTerminate for one of Mesa's surfaceless platform destroys its renderers before.
  */
 
 #include <stdbool.h>

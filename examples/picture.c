@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
 /*
- * consumer IMAGE: renders a cube with a hole from memory, looks at two pixels and writes the image.
+ * picture IMAGE: renders a cube with a hole from memory, looks at two pixels and writes the image.
  */
 
 #include <csgcast/csgcast.h>
