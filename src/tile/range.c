@@ -45,11 +45,11 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 
-struct csg_quadric_range csg_range_of_quadric(const double *texels,
-                                             const struct csg_tile_box *tile)
+/* The crossings where the conic has that range. */
+static struct csg_quadric_range crossings(const double *texels, struct csg_range h,
+                                          const struct csg_tile_box *tile)
 {
     const int code = (int)texels[3];
-    const struct csg_range h = conic(texels, code, tile);
     const double most = sqrt(csg_larger(h.hi, 0)), least = sqrt(csg_larger(h.lo, 0));
     struct csg_quadric_range range = {.never = h.hi<0, .always = h.lo> 0, .region = code & 3};
     if (code & CSG_QUADRIC_STIFF) {
@@ -62,6 +62,12 @@ struct csg_quadric_range csg_range_of_quadric(const double *texels,
     range.first = (struct csg_range){m.lo - most - margin, m.hi - least + margin};
     range.second = (struct csg_range){m.lo + least - margin, m.hi + most + margin};
     return range;
+}
+
+struct csg_quadric_range csg_range_of_quadric(const double *texels,
+                                             const struct csg_tile_box *tile)
+{
+    return crossings(texels, conic(texels, (int)texels[3], tile), tile);
 }
 
 static void later(struct csg_range *a, struct csg_range b)
@@ -135,6 +141,7 @@ static struct csg_leaf_range flat_range(const struct csg_terms *terms,
         later(&range.entry, csg_range_of_plane(texel, tile));
     for (uint32_t i = 0; i < leaf->num_exits; i++, texel += 4)
         sooner(&range.exit, csg_range_of_plane(texel, tile));
+    range.solid = range.entry.hi < range.exit.lo;
     return range;
 }
 
@@ -144,16 +151,16 @@ struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
 {
     if (leaf->flags & CSG_RECORD_SURFACE)
         return surface_range(&terms->views.data[leaf->view], tile);
-    const bool has_quadric = leaf->flags & CSG_RECORD_QUADRIC;
-    const uint32_t place = leaf->num_entries + leaf->num_exits;
-    struct csg_quadric_range curved = {.never = false};
-    if (has_quadric)
-        curved = csg_range_of_quadric(csg_terms_texel(terms, leaf, place), tile);
-    if (curved.never && curved.region == CSG_QUADRIC_BETWEEN)
+    if (!(leaf->flags & CSG_RECORD_QUADRIC))
+        return flat_range(terms, leaf, tile);
+    const double *texels = csg_terms_texel(terms, leaf, leaf->num_entries + leaf->num_exits);
+    const int code = (int)texels[3];
+    const struct csg_range h = conic(texels, code, tile);
+    if (h.hi < 0 && (code & 3) == CSG_QUADRIC_BETWEEN)
         return csg_leaf_nowhere;
+    const struct csg_quadric_range curved = crossings(texels, h, tile);
     struct csg_leaf_range range = flat_range(terms, leaf, tile);
-    if (has_quadric)
-        clip_quadric(&range, &curved);
+    clip_quadric(&range, &curved);
     range.solid &= range.entry.hi < range.exit.lo;
     return range;
 }

@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+
+/* What of an object's tree matters in a tile. */
+
+#include "tile/tiler.h"
+
+#include "tile/dominate.h"
+#include "tile/front.h"
+
+/* Trees of so many nodes are first looked through for leaves that miss the tile. */
+#define MIN_SIFTED_NODES 64
+
+struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_tile_task *task)
+{
+    const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
+    double center[2], half[2];
+    for (int i = 0; i < 2; i++) {
+        center[i] = 0.5 * (task->lo[i] + task->hi[i]) - at[i];
+        half[i] = 0.5 * (task->hi[i] - task->lo[i]) - 0.5;
+    }
+    return csg_tile_box(center, half);
+}
+
+static struct csg_range node_range(const struct csg_tiler *tiler, const struct csg_tree *tree,
+                                   uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
+    const bool all = node->op == CSG_AND;
+    struct csg_range range = {all ? -INFINITY : INFINITY, all ? INFINITY : -INFINITY};
+    for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
+        const struct csg_range operand = tiler->nodes.data[child];
+        range.lo = all ? csg_larger(range.lo, operand.lo) : csg_smaller(range.lo, operand.lo);
+        range.hi = all ? csg_smaller(range.hi, operand.hi) : csg_larger(range.hi, operand.hi);
+    }
+    return range;
+}
+
+static bool is_in_rect(const struct csg_rect *rect, const struct csg_tile_task *task)
+{
+    return rect->lo[0] < task->hi[0] && rect->hi[0] > task->lo[0] && rect->lo[1] < task->hi[1] &&
+           rect->hi[1] > task->lo[1];
+}
+
+/* Whether the tile misses the leaf by its rectangle. Rays that start inside of solids meet them
+ * behind the eye, too. */
+static bool misses(const struct csg_tiler *tiler, const struct csg_tile_task *task, uint32_t leaf)
+{
+    return !tiler->draw->around_eye && leaf < tiler->terms->scene->num_leaves &&
+           !is_in_rect(&csg_terms_of(tiler->terms, leaf)->rect, task);
+}
+
+static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler,
+                                        const struct csg_tile_box *box, uint32_t leaf)
+{
+    const size_t num_leaves = tiler->terms->scene->num_leaves;
+    if (leaf >= num_leaves)
+        return tiler->stacks.data[leaf - num_leaves];
+    return csg_range_of_leaf(tiler->terms, csg_terms_of(tiler->terms, leaf), box);
+}
+
+static void fill_ranges(struct csg_tiler *tiler, const struct csg_tile_task *task,
+                        const struct csg_tile_box *box)
+{
+    for (size_t i = task->tree.num; i-- > 0;) {
+        const struct csg_node *node = &task->tree.data[i];
+        if (node->op != CSG_LEAF) {
+            tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
+            continue;
+        }
+        struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
+        *leaf = misses(tiler, task, node->leaf) ? csg_leaf_nowhere
+                                                : leaf_range(tiler, box, node->leaf);
+        tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
+                                             : (struct csg_range){leaf->entry.lo, leaf->exit.hi};
+    }
+}
+
+/*
+ * A leaf that is nowhere inside where it matters is nothing there; one that covers all of it is
+ * everything. The comparison is strict, so the operand that bounds a context is never itself taken
+ * for covering it, and crossings that may be equal stay.
+ */
+static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context)
+{
+    if (leaf->entry.lo > leaf->exit.hi || leaf->exit.hi < context.lo || leaf->entry.lo > context.hi)
+        return CSG_NOTHING;
+    if (leaf->solid && leaf->entry.hi < context.lo && leaf->exit.lo > context.hi)
+        return CSG_EVERYTHING;
+    return CSG_VARIES;
+}
+
+/* The key behind which nothing shows. */
+static double front_of(struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    double key = tiler->terms->frame->screen.k_far;
+    tiler->opaque = !tiler->draw->around_eye &&
+                    csg_front_find(tiler->terms, tree, tiler->ranges.data, tiler->keys.data, &key);
+    return key;
+}
+
+/* Whether something is known of a leaf. */
+static bool judge_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    bool found = false;
+    struct csg_range *contexts = tiler->contexts.data;
+    contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, front_of(tiler, tree)};
+    for (uint32_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF) {
+            const uint8_t known = judge(csg_tiler_range(tiler, node->leaf), contexts[i]);
+            tiler->terms->known[node->leaf] = known;
+            found |= known != CSG_VARIES;
+            continue;
+        }
+        struct csg_range inside = contexts[i];
+        if (node->op == CSG_AND) {
+            inside.lo = csg_larger(inside.lo, tiler->nodes.data[i].lo);
+            inside.hi = csg_smaller(inside.hi, tiler->nodes.data[i].hi);
+        }
+        for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
+            contexts[child] = inside;
+    }
+    return found;
+}
+
+static bool reserve(struct csg_tiler *tiler, size_t num)
+{
+    tiler->nodes.num = tiler->contexts.num = tiler->ranges.num = 0;
+    tiler->stacks.num = tiler->members.num = tiler->keys.num = 0;
+    return csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
+           csg_array_reserve(&tiler->ranges, tiler->terms->leaves.num) &&
+           csg_array_reserve(&tiler->nodes, num) && csg_array_reserve(&tiler->contexts, num) &&
+           csg_array_reserve(&tiler->keys, num) && csg_array_reserve(&tiler->members, 2 * num);
+}
+
+/* Leaves out what the tile misses by its rectangle: what is left of a large tree is asked more. */
+static bool sift(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    if (task->tree.num < MIN_SIFTED_NODES || tiler->draw->around_eye)
+        return true;
+    for (size_t i = 0; i < task->tree.num; i++) {
+        const uint32_t leaf = task->tree.data[i].leaf;
+        if (task->tree.data[i].op == CSG_LEAF)
+            tiler->terms->known[leaf] = misses(tiler, task, leaf) ? CSG_NOTHING : CSG_VARIES;
+    }
+    return csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known);
+}
+
+/* Leaves out what does not matter in the tile. false: out of memory. */
+static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task,
+                 const struct csg_tile_box *box)
+{
+    fill_ranges(tiler, task, box);
+    bool found = judge_leaves(tiler, &task->tree);
+    found |=
+        csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
+    if (found && !csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
+        return false;
+    task->flat = csg_tiler_is_flat(&task->tree);
+    return true;
+}
+
+/* ---- flat trees: leaves are left out in place ----------------------------------------------- */
+
+bool csg_tiler_is_flat(const struct csg_tree *tree)
+{
+    if (tree->num == 0 || tree->data[0].op != CSG_AND)
+        return false;
+    for (uint32_t i = 1; i < tree->num; i++)
+        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare)
+            return false;
+    return true;
+}
+
+/* Leaves out the leaf at place i of the tree where known says so: else it becomes the one at place
+ * *num, which is counted. false: nothing is left of the intersection. */
+static bool keep_flat(struct csg_tree *tree, uint32_t i, uint8_t known, uint32_t *num)
+{
+    const struct csg_node node = tree->data[i];
+    if (known != CSG_VARIES)
+        return (known == CSG_NOTHING) == node.negated;
+    tree->data[*num] = node;
+    tree->data[*num].end = *num + 1;
+    (*num)++;
+    return true;
+}
+
+/* Ends the tree behind the first num nodes. */
+static void end_flat(struct csg_tree *tree, uint32_t num)
+{
+    tree->num = num;
+    tree->data[0].end = num;
+}
+
+/* The same as sift, for a flat tree. */
+static void sift_flat(const struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    struct csg_tree *tree = &task->tree;
+    uint32_t num = 1;
+    bool any = true;
+    for (uint32_t i = 1; i < tree->num && any; i++) {
+        const bool missed = misses(tiler, task, tree->data[i].leaf);
+        any = keep_flat(tree, i, missed ? CSG_NOTHING : CSG_VARIES, &num);
+    }
+    end_flat(tree, any ? num : 0);
+}
+
+/* Of a flat tree leaves what rays meet, and finds the keys that all of it has in common. false:
+ * that is nothing. */
+static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree,
+                      const struct csg_tile_box *box, struct csg_range *common)
+{
+    uint32_t num = 1;
+    *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
+    for (uint32_t i = 1; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
+        *leaf = leaf_range(tiler, box, node->leaf);
+        if (!node->negated) {
+            common->lo = csg_larger(common->lo, leaf->entry.lo);
+            common->hi = csg_smaller(common->hi, leaf->exit.hi);
+        }
+        const bool met = leaf->entry.lo <= leaf->exit.hi;
+        if (!keep_flat(tree, i, met ? CSG_VARIES : CSG_NOTHING, &num))
+            return false;
+    }
+    end_flat(tree, num);
+    return true;
+}
+
+/* The same as fold, for a flat tree that has been sifted. */
+static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
+                      const struct csg_tile_box *box)
+{
+    struct csg_tree *tree = &task->tree;
+    uint8_t *known = tiler->terms->known;
+    struct csg_range common;
+    bool any = meet_flat(tiler, tree, box, &common); /* is left */
+    common.hi = csg_smaller(common.hi, any ? front_of(tiler, tree) : 0);
+    uint32_t num = 1;
+    for (uint32_t i = 1; i < tree->num && any; i++) {
+        const uint32_t leaf = tree->data[i].leaf;
+        known[leaf] = judge(csg_tiler_range(tiler, leaf), common);
+        any = keep_flat(tree, i, known[leaf], &num);
+    }
+    end_flat(tree, num);
+    if (any && csg_dominate(tiler->terms, tree, tiler->ranges.data, box, tiler->members.data)) {
+        num = 1;
+        for (uint32_t i = 1; i < tree->num; i++)
+            keep_flat(tree, i, known[tree->data[i].leaf], &num);
+        end_flat(tree, num);
+    }
+    if (tree->num == 2)
+        tree->data[0] = tree->data[1];
+    if (tree->num == 2 || !any)
+        end_flat(tree, any ? 1 : 0);
+    task->flat = tree->num > 1;
+}
+
+bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    if (task->flat)
+        sift_flat(tiler, task);
+    else if (!sift(tiler, task))
+        return false;
+    if (task->tree.num == 0)
+        return true;
+    if (!reserve(tiler, task->tree.num))
+        return false;
+    const struct csg_tile_box box = csg_tiler_box(tiler, task);
+    csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
+    if (!task->flat)
+        return fold(tiler, task, &box);
+    fold_flat(tiler, task, &box);
+    return true;
+}
+
