@@ -8,7 +8,8 @@
 #include "scene/compounds.h"
 #include "scene/cut_space.h"
 
-/* Where a surface of triangles is faster to draw than convex solids: from so many faces on, and
+/* Where a surface of triangles is faster to draw than convex solids, or the only way to show all
+ * faces of a mesh that is not closed: from so many faces on, and
  * from so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are
  * made of convex solids. */
 enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
@@ -128,7 +129,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
                         struct csg_part *part)
 {
     struct csg_mesh_gaps gaps;
-    enum csg_mesh_result result = CSG_MESH_DONE;
+    enum csg_mesh_result result = CSG_MESH_TOO_LARGE;
     if (walk->points_only)
         return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
     if (mesh->faces.num == 0)
@@ -140,8 +141,9 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
     if (mesh->num_guessed)
         warn_of_guesses(walk, node, mesh->num_guessed);
     const bool is_inner = walk->depth > 0;
-    result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
-                                is_inner ? SIZE_MAX : max_planes, part);
+    if (gaps.num == 0 || is_inner)
+        result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
+                                    is_inner ? SIZE_MAX : max_planes, part);
     if (result == CSG_MESH_TOO_LARGE)
         result = add_surface(mesh, gaps.num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
     return result == CSG_MESH_DONE || csg_log_memory(&walk->builder->report->log);
