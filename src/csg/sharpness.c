@@ -4,37 +4,31 @@
 #include <stdlib.h>
 
 #include "csg/carrier.h"
+#include "csg/flats.h"
 #include "csg/wall.h"
 #include "solids/quadric/eigen.h"
 #include "solids/sample.h"
 
-/* Every surface of an object is compared with so many of its neighbours in the order of compare:
- * with all, in objects of that size. */
-#define MAX_NEIGHBOURS 64
-
 /* Quadrics with boxes that differ by less than this share nearly coincide. */
 #define NEAR_BOXES 1e-3
-
-/* Smaller shares of the coordinates, and angles, are rounding: what decomposing a polygon leaves
- * over. */
-#define NOISE 1e-11
 
 /* Points of a quadric's surface that show how far it is from another. */
 #define NUM_SAMPLES 24
 
-/* A carrier of the object at hand. */
+/* A quadric of the object at hand. */
 struct surface {
     uint32_t carrier, leaf;
     bool turned;  /* what is taken away or flipped: the solid is on the carrier's other side */
-    double place; /* where to look for those like it: the direction of a plane, a side of a box */
+    double place; /* where to look for those like it: a side of its box */
 };
 
 struct surfaces {
-    CSG_ARRAY(struct surface) planes;
+    struct csg_flats planes;
     CSG_ARRAY(struct surface) quadrics;
 };
 
-static void note(struct csg_sharpness *sharp, enum csg_fineness what, double value, uint32_t leaf)
+void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,
+                        uint32_t leaf)
 {
     if (value < sharp->least[what]) {
         sharp->least[what] = value;
@@ -122,31 +116,26 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
     struct csg_vec3 edges[3];
     box_edges(shape, edges);
     const struct csg_box place = csg_leaf_box(&scene->leaves[leaf]);
-    const double thick = thickness(edges), noise = NOISE * largest(&place);
+    const double thick = thickness(edges), noise = CSG_FINE_NOISE * largest(&place);
     if (thick > noise && !(mark & CSG_WALL_RING))
-        note(sharp, CSG_FINE_THICKNESS, thick, leaf);
+        csg_sharpness_note(sharp, CSG_FINE_THICKNESS, thick, leaf);
     if (face.carrier == CSG_NO_CARRIER)
         return;
     if (mark & CSG_WALL_RING) {
-        note(sharp, CSG_FINE_CURVATURE, csg_wall_curvature(shape), leaf);
+        csg_sharpness_note(sharp, CSG_FINE_CURVATURE, csg_wall_curvature(shape), leaf);
         return;
     }
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
-    note(sharp, CSG_FINE_CURVATURE,
-         curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size), leaf);
+    csg_sharpness_note(sharp, CSG_FINE_CURVATURE,
+                       curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size),
+                       leaf);
 }
 
 static int compare(const void *a, const void *b)
 {
     const struct surface *x = a, *y = b;
     return x->place < y->place ? -1 : x->place > y->place;
-}
-
-/* Nearly parallel planes have nearly the same one. */
-static double place_of_plane(const struct csg_plane *plane)
-{
-    return fabs(csg_dot(plane->normal, csg_vec3(0.54, 0.32, 0.78)));
 }
 
 static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene,
@@ -161,9 +150,8 @@ static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scen
         const uint32_t carrier = carriers->faces[i].carrier;
         if (mark & (i == carriers->face_begin[leaf] ? CSG_WALL_LOW : CSG_WALL_HIGH))
             continue;
-        const double place = place_of_plane(&carriers->planes[carrier]);
         const bool turned = carriers->faces[i].flipped != node->negated;
-        if (!csg_array_push(&surfaces->planes, ((struct surface){carrier, leaf, turned, place})))
+        if (!csg_flats_add(&surfaces->planes, &carriers->planes[carrier], carrier, leaf, turned))
             return false;
     }
     const uint32_t carrier = carriers->quadric_faces[leaf].carrier;
@@ -172,33 +160,6 @@ static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scen
     const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
     const bool turned = carriers->quadric_faces[leaf].flipped != node->negated;
     return csg_array_push(&surfaces->quadrics, ((struct surface){carrier, leaf, turned, place}));
-}
-
-/*
- * Over a ball around center, aligned planes at the angle a are between d - a r and d + a r apart,
- * with d their distance in the middle: they meet there, or leave a gap. Only where their solids lie
- * on different sides is that a wedge or a wall; else it is an edge so flat that either side of it
- * will do.
- */
-static void note_planes(struct csg_sharpness *sharp, const struct csg_carriers *carriers,
-                        const struct surface *x, const struct surface *y, struct csg_vec3 center,
-                        double radius)
-{
-    const struct csg_plane *a = &carriers->planes[x->carrier], *b = &carriers->planes[y->carrier];
-    const uint32_t leaf = y->leaf;
-    const double s = csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
-    if ((s > 0) == (x->turned == y->turned))
-        return;
-    const double angle = csg_length(csg_sub(a->normal, csg_scale(s, b->normal)));
-    if (angle > CSG_FINE_MAX_ANGLE)
-        return;
-    const double noise = NOISE * (csg_length(center) + radius);
-    const double apart = fabs((a->offset - csg_dot(a->normal, center)) -
-                              s * (b->offset - csg_dot(b->normal, center)));
-    if (apart <= angle * radius && angle > NOISE)
-        note(sharp, CSG_FINE_ANGLE, angle, leaf);
-    else if (apart <= radius && apart - angle * radius > noise)
-        note(sharp, CSG_FINE_GAP, apart - angle * radius, leaf);
 }
 
 static double box_difference(const struct csg_box *a, const struct csg_box *b)
@@ -231,11 +192,10 @@ static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scen
     if (!csg_box_is_finite(&box) || !csg_box_is_finite(&other) ||
         !(box_difference(&box, &other) < near))
         return;
-    const double apart =
-        deviation(csg_carrier_quadric(scene, scene->carriers, a->carrier),
+    const double apart = deviation(csg_carrier_quadric(scene, scene->carriers, a->carrier),
                                    &scene->leaves[b->leaf].shape);
     if (apart < near)
-        note(sharp, CSG_FINE_GAP, apart, b->leaf);
+        csg_sharpness_note(sharp, CSG_FINE_GAP, apart, b->leaf);
 }
 
 /* Rings of one profile, whose walls are known. */
@@ -247,25 +207,15 @@ static bool is_one_profile(const struct csgcast_scene *scene, const uint8_t *mar
 }
 
 /* Surfaces that are alike are neighbours. */
-static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
-                       const uint8_t *marks, struct surfaces *surfaces, struct csg_vec3 center,
-                       double radius)
+static void note_all_quadrics(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                              const uint8_t *marks, const struct surfaces *surfaces, double radius)
 {
-    const struct csg_carriers *carriers = scene->carriers;
-    const size_t num_planes = surfaces->planes.num, num_quadrics = surfaces->quadrics.num;
-    const struct surface *p = surfaces->planes.data, *q = surfaces->quadrics.data;
-    if (num_planes > 1)
-        qsort(surfaces->planes.data, num_planes, sizeof *p, compare);
-    if (num_quadrics > 1)
-        qsort(surfaces->quadrics.data, num_quadrics, sizeof *q, compare);
-    for (size_t i = 0; i < num_planes; i++)
-        for (size_t j = i + 1; j < num_planes && j < i + MAX_NEIGHBOURS &&
-                               p[j].place - p[i].place < 2 * CSG_FINE_MAX_ANGLE;
-             j++)
-            if (p[i].carrier != p[j].carrier)
-                note_planes(sharp, carriers, &p[i], &p[j], center, radius);
-    for (size_t i = 0; i < num_quadrics; i++)
-        for (size_t j = i + 1; j < num_quadrics && j < i + MAX_NEIGHBOURS &&
+    const struct surface *q = surfaces->quadrics.data;
+    const size_t num = surfaces->quadrics.num;
+    if (num > 1)
+        qsort(surfaces->quadrics.data, num, sizeof *q, compare);
+    for (size_t i = 0; i < num; i++)
+        for (size_t j = i + 1; j < num && j < i + CSG_FINE_NEIGHBOURS &&
                                q[j].place - q[i].place < NEAR_BOXES * radius;
              j++)
             if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned &&
@@ -274,11 +224,11 @@ static void note_pairs(struct csg_sharpness *sharp, const struct csgcast_scene *
 }
 
 /* Of an unbounded object: where its planes are. */
-static double radius_of_planes(const struct surfaces *surfaces, const struct csg_carriers *carriers)
+static double radius_of_planes(const struct csg_flats *planes)
 {
     double radius = 0;
-    for (size_t i = 0; i < surfaces->planes.num; i++)
-        radius = fmax(radius, fabs(carriers->planes[surfaces->planes.data[i].carrier].offset));
+    for (size_t i = 0; i < planes->all.num; i++)
+        radius = fmax(radius, fabs(planes->all.data[i].height));
     return radius > 0 ? radius : 1;
 }
 
@@ -292,7 +242,8 @@ static bool note_stacks(struct csg_sharpness *sharp, const struct csgcast_scene 
         const struct csg_stack *stack = &stacks.list.data[i];
         double least;
         ok = csg_wall_measure(scene, &stacks, stack, marks, &least);
-        note(sharp, CSG_FINE_THICKNESS, least, stacks.rings.data[stack->first_ring].outer);
+        csg_sharpness_note(sharp, CSG_FINE_THICKNESS, least,
+                           stacks.rings.data[stack->first_ring].outer);
     }
     csg_stacks_finish(&stacks);
     return ok;
@@ -302,7 +253,7 @@ static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene 
                         const struct csg_object *object, struct surfaces *surfaces, uint8_t *marks)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    surfaces->planes.num = surfaces->quadrics.num = 0;
+    surfaces->planes.all.num = surfaces->quadrics.num = 0;
     if (!note_stacks(sharp, scene, object, marks))
         return false;
     for (uint32_t i = object->begin; i < object->end; i++) {
@@ -314,11 +265,12 @@ static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene 
     }
     const struct csg_box *box = &object->box;
     const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
-    note_pairs(sharp, scene, marks, surfaces,
-               known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
-               known ? 0.5 * csg_length(csg_sub(box->hi, box->lo))
-                     : radius_of_planes(surfaces, scene->carriers));
-    return true;
+    const double radius =
+        known ? 0.5 * csg_length(csg_sub(box->hi, box->lo)) : radius_of_planes(&surfaces->planes);
+    note_all_quadrics(sharp, scene, marks, surfaces, radius);
+    return csg_flats_note(&surfaces->planes,
+                          known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
+                          radius, sharp);
 }
 
 static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
@@ -327,7 +279,7 @@ struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene)
 {
     const size_t num = scene->objects->num;
     struct csg_sharpness *sharp = malloc((num + 1) * sizeof *sharp);
-    struct surfaces surfaces = {{0}, {0}};
+    struct surfaces surfaces = {.planes = {.all = {0}}};
     uint8_t *marks = calloc(scene->num_leaves + 1, 1);
     bool ok = sharp && marks;
     for (size_t i = 0; i < num && ok; i++) {
@@ -335,7 +287,7 @@ struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene)
         ok = note_object(&sharp[i], scene, &scene->objects->data[i], &surfaces, marks);
     }
     free(marks);
-    free(surfaces.planes.data);
+    csg_flats_finish(&surfaces.planes);
     free(surfaces.quadrics.data);
     if (!ok) {
         free(sharp);

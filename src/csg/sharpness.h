@@ -29,7 +29,19 @@ struct csg_sharpness {
 /* Two planes at a larger angle are never a matter of precision. */
 #define CSG_FINE_MAX_ANGLE 1e-2
 
+/* Smaller shares of the coordinates, and angles, are rounding: what decomposing a polygon leaves
+ * over. */
+#define CSG_FINE_NOISE 1e-11
+
+/* Every surface of an object is compared with so many of its neighbours in an order in which those
+ * like it are near: with all, in objects of that size. */
+#define CSG_FINE_NEIGHBOURS 64
+
 /* One for each object. NULL: out of memory. */
 struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene);
+
+/* The value, where it is the least. */
+void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,
+                        uint32_t leaf);
 
 #endif

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/flats.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* From so many keys on they are sorted by their bytes. */
+#define MANY_KEYS 1024
+
+/* Heights that are compared side by side, which compilers make vectors of. */
+#define NUM_LANES 8
+
+bool csg_flats_add(struct csg_flats *flats, const struct csg_plane *plane, uint32_t carrier,
+                   uint32_t leaf, bool turned)
+{
+    const struct csg_vec3 n = plane->normal;
+    const bool turns = n.x != 0 ? n.x < 0 : n.y != 0 ? n.y < 0 : n.z < 0;
+    const double s = turns ? -1 : 1;
+    return csg_array_push(&flats->all,
+                          ((struct csg_flat){.normal = csg_scale(s, n),
+                                             .height = s * plane->offset,
+                                             .place = fabs(csg_dot(n, csg_vec3(0.54, 0.32, 0.78))),
+                                             .carrier = carrier,
+                                             .leaf = leaf,
+                                             .turned = turned != turns}));
+}
+
+static int compare_keys(const void *a, const void *b)
+{
+    const struct csg_flat_key *x = a, *y = b;
+    if (x->place != y->place)
+        return x->place < y->place ? -1 : 1;
+    return x->flat < y->flat ? -1 : x->flat > y->flat;
+}
+
+/* One pass of a radix sort: by one byte, keys with the same one stay as they are. */
+static void sort_by_byte(const struct csg_flat_key *from, struct csg_flat_key *to, size_t num,
+                         int shift)
+{
+    size_t begin[256] = {0}, sum = 0;
+    for (size_t i = 0; i < num; i++)
+        begin[from[i].place >> shift & 255]++;
+    for (size_t i = 0; i < 256; i++) {
+        const size_t own = begin[i];
+        begin[i] = sum;
+        sum += own;
+    }
+    for (size_t i = 0; i < num; i++)
+        to[begin[from[i].place >> shift & 255]++] = from[i];
+}
+
+/* Places are not negative, so their bits are in their order. */
+static bool sort_keys(struct csg_flats *flats)
+{
+    const size_t num = flats->all.num;
+    flats->keys.num = flats->room.num = 0;
+    if (!csg_array_reserve(&flats->keys, num) || !csg_array_reserve(&flats->room, num))
+        return false;
+    struct csg_flat_key *keys = flats->keys.data;
+    for (size_t i = 0; i < num; i++) {
+        memcpy(&keys[i].place, &flats->all.data[i].place, sizeof keys[i].place);
+        keys[i].flat = (uint32_t)i;
+    }
+    if (num > 1 && num < MANY_KEYS)
+        qsort(keys, num, sizeof *keys, compare_keys);
+    for (int shift = 0; shift < 64 && num >= MANY_KEYS; shift += 16) {
+        sort_by_byte(keys, flats->room.data, num, shift);
+        sort_by_byte(flats->room.data, keys, num, shift + 8);
+    }
+    return true;
+}
+
+static bool sort(struct csg_flats *flats, struct csg_vec3 center)
+{
+    const size_t num = flats->all.num;
+    flats->sorted.num = flats->sides[0].num = flats->sides[1].num = 0;
+    if (!sort_keys(flats) || !csg_array_reserve(&flats->sorted, num) ||
+        !csg_array_reserve(&flats->sides[0], num) || !csg_array_reserve(&flats->sides[1], num))
+        return false;
+    for (size_t i = 0; i < num; i++) {
+        struct csg_flat *flat = &flats->sorted.data[i];
+        *flat = flats->all.data[flats->keys.data[i].flat];
+        flat->height -= csg_dot(flat->normal, center);
+        flats->sides[flat->turned].data[i] = flat->height;
+        flats->sides[!flat->turned].data[i] = INFINITY;
+    }
+    return true;
+}
+
+/*
+ * Over a ball around the center, aligned planes at the angle a are between d - a r and d + a r
+ * apart, with d their distance in the middle: they meet there, or leave a gap. Only where their
+ * solids lie on different sides is that a wedge or a wall; else it is an edge so flat that either
+ * side of it will do.
+ */
+static void note_pair(struct csg_sharpness *sharp, const struct csg_flat *a,
+                      const struct csg_flat *b, double radius, double noise)
+{
+    const bool same = csg_dot(a->normal, b->normal) >= 0;
+    const double s = same ? 1 : -1;
+    if (a->carrier == b->carrier || same == (a->turned == b->turned))
+        return;
+    const double angle = csg_length(csg_sub(a->normal, csg_scale(s, b->normal)));
+    const double apart = fabs(a->height - s * b->height);
+    if (angle > CSG_FINE_MAX_ANGLE)
+        return;
+    if (apart <= angle * radius && angle > CSG_FINE_NOISE)
+        csg_sharpness_note(sharp, CSG_FINE_ANGLE, angle, b->leaf);
+    else if (apart <= radius && apart - angle * radius > noise)
+        csg_sharpness_note(sharp, CSG_FINE_GAP, apart - angle * radius, b->leaf);
+}
+
+/* The least distance of the heights from own, of those above noise. */
+static double nearest(const double *heights, size_t num, double own, double noise)
+{
+    double least[NUM_LANES], result = INFINITY;
+    size_t i = 0;
+    for (size_t lane = 0; lane < NUM_LANES; lane++)
+        least[lane] = INFINITY;
+    for (; i + NUM_LANES <= num; i += NUM_LANES)
+        for (size_t lane = 0; lane < NUM_LANES; lane++) {
+            const double apart = fabs(heights[i + lane] - own);
+            const double counts = apart > noise ? apart : INFINITY;
+            least[lane] = counts < least[lane] ? counts : least[lane];
+        }
+    for (size_t lane = 0; lane < NUM_LANES; lane++)
+        result = csg_least(result, least[lane]);
+    for (; i < num; i++) {
+        const double apart = fabs(heights[i] - own);
+        result = apart > noise ? csg_least(result, apart) : result;
+    }
+    return result;
+}
+
+/* The plane i and those behind it up to end, which have its normal to the last bit, as in most
+ * models most of the neighbours have: what note_pair finds, but no angle is asked. */
+static void note_parallel(struct csg_sharpness *sharp, const struct csg_flats *flats, size_t i,
+                          size_t end, double radius, double noise)
+{
+    const struct csg_flat *own = &flats->sorted.data[i];
+    const double *others = flats->sides[!own->turned].data;
+    const double apart = nearest(others + i + 1, end - i - 1, own->height, noise);
+    if (apart > radius || !(apart < sharp->least[CSG_FINE_GAP]))
+        return;
+    while (fabs(others[++i] - own->height) != apart)
+        continue;
+    csg_sharpness_note(sharp, CSG_FINE_GAP, apart, flats->sorted.data[i].leaf);
+}
+
+static bool is_parallel(const struct csg_flat *a, const struct csg_flat *b)
+{
+    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z;
+}
+
+bool csg_flats_note(struct csg_flats *flats, struct csg_vec3 center, double radius,
+                    struct csg_sharpness *sharp)
+{
+    const double noise = CSG_FINE_NOISE * (csg_length(center) + radius);
+    const size_t num = flats->all.num;
+    if (!sort(flats, center))
+        return false;
+    const struct csg_flat *sorted = flats->sorted.data;
+    for (size_t i = 0, line = 0; i < num; i++) {
+        const size_t end = num - i < CSG_FINE_NEIGHBOURS ? num : i + CSG_FINE_NEIGHBOURS;
+        for (line = line > i ? line : i + 1; line < num && is_parallel(&sorted[i], &sorted[line]);)
+            line++;
+        note_parallel(sharp, flats, i, line < end ? line : end, radius, noise);
+        for (size_t j = line; j < end; j++) {
+            if (sorted[j].place - sorted[i].place >= 2 * CSG_FINE_MAX_ANGLE)
+                break;
+            note_pair(sharp, &sorted[i], &sorted[j], radius, noise);
+        }
+    }
+    return true;
+}
+
+void csg_flats_finish(struct csg_flats *flats)
+{
+    free(flats->all.data);
+    free(flats->keys.data);
+    free(flats->room.data);
+    free(flats->sorted.data);
+    free(flats->sides[0].data);
+    free(flats->sides[1].data);
+}
