@@ -57,6 +57,9 @@ void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_sto
         struct entry *from = &before->entries[i];
         struct csg_kept **kept = from->cells ? &from->cells->kept : &from->before;
         store->entries[i].before = *kept;
+        store->entries[i].answer = from->answer;
+        store->entries[i].area = from->area;
+        store->entries[i].num_left = from->num_left;
         *kept = NULL;
     }
 }

@@ -12,8 +12,8 @@ struct csg_cells_store;
 struct csg_cells_store *csg_cells_store_create(const struct csgcast_scene *scene);
 void csg_cells_store_destroy(struct csg_cells_store *store);
 
-/* What an edit leaves as it was is taken from the store before it, by objects of the same number.
- */
+/* What an edit leaves as it was is taken from the store before it, and the answers of samples, by
+ * objects of the same number. */
 void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_store *before);
 
 /*
