@@ -54,6 +54,15 @@ double csg_map_stretch(const struct csg_map *map)
     return sqrt(largest);
 }
 
+bool csg_map_is_identity(const struct csg_map *map)
+{
+    bool is_identity = true;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            is_identity &= map->m[i][j] == (i == j ? 1 : 0);
+    return is_identity;
+}
+
 bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse)
 {
     const struct csg_vec3 a = column(map, 0), b = column(map, 1), c = column(map, 2);

@@ -76,6 +76,8 @@ double csg_map_determinant(const struct csg_map *map);
 /* At least the factor by which the map lengthens any vector; that of a rotation is 1. */
 double csg_map_stretch(const struct csg_map *map);
 
+bool csg_map_is_identity(const struct csg_map *map);
+
 /* false when the linear part is singular to working precision; inverse is then untouched. */
 bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse);
 

@@ -109,7 +109,8 @@ static void join_object(struct builder *builder, uint32_t index, uint32_t *plane
             continue;
         const uint32_t leaf = nodes[i].leaf, quadric = carriers->quadric_faces[leaf].carrier;
         for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
-            join_user(builder, &planes[carriers->faces[j].carrier], index);
+            if (carriers->faces[j].carrier != CSG_NO_CARRIER)
+                join_user(builder, &planes[carriers->faces[j].carrier], index);
         if (quadric != CSG_NO_CARRIER)
             join_user(builder, &quadrics[quadric], index);
     }

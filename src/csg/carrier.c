@@ -7,7 +7,7 @@
 
 #include "csg/carrier_builder.h"
 #include "csg/object.h"
-#include "csg/remote.h"
+#include "csg/own_faces.h"
 #include "mesh/surface.h"
 
 /* A small leaf's face, continued to the far end of the scene, strays by this many times its
@@ -58,11 +58,9 @@ static bool is_loner(const struct csg_carrier_builder *builder, const uint8_t *l
 }
 
 static bool assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                         const struct csg_leaf_extent *extent, struct csg_face *face)
+                         const struct csg_leaf_extent *extent, bool alone, struct csg_face *face)
 {
     struct csg_carriers *carriers = builder->carriers;
-    const bool alone =
-        is_loner(builder, builder->loners.planes, (size_t)(face - carriers->faces));
     if (alone)
         return add_plane(builder, plane, extent, alone, face);
     const bool was_met = csg_plane_table_find(&builder->planes, carriers->planes, plane, face);
@@ -71,6 +69,14 @@ static bool assign_plane(struct csg_carrier_builder *builder, const struct csg_p
     return (is_shared || add_plane(builder, plane, extent, alone, face)) &&
            (was_met || csg_plane_table_add(&builder->planes, carriers->planes, plane, face));
 }
+
+bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                              const struct csg_leaf_extent *extent, struct csg_face *face)
+{
+    return assign_plane(builder, plane, extent, false, face);
+}
+
+/* ---- surfaces ----------------------------------------------------------------------------- */
 
 struct ranked_plane {
     double radius;
@@ -85,74 +91,95 @@ static int compare_planes(const void *a, const void *b)
     return x->plane < y->plane ? -1 : x->plane > y->plane;
 }
 
-static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b)
+uint32_t *csg_carrier_rank_faces(const struct csg_surface_extent *extents, size_t num)
 {
-    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
-           a->offset == b->offset;
+    struct ranked_plane *ranked = malloc((num + 1) * sizeof *ranked);
+    uint32_t *faces = malloc((num + 1) * sizeof *faces);
+    for (uint32_t i = 0; ranked && i < num; i++)
+        ranked[i] = (struct ranked_plane){extents[i].radius, i};
+    if (ranked && num > 1)
+        qsort(ranked, num, sizeof *ranked, compare_planes);
+    for (size_t i = 0; ranked && faces && i < num; i++)
+        faces[i] = ranked[i].plane;
+    const bool ok = ranked && faces;
+    free(ranked);
+    if (ok)
+        return faces;
+    free(faces);
+    return NULL;
 }
 
-/* A face that no other one comes near gets a carrier of its own, or that of the face before it. */
-static bool assign_remote(struct csg_carrier_builder *builder, const struct csg_surface *surface,
-                          uint32_t i, bool was_remote, const struct csg_leaf_extent *extent,
-                          struct csg_face *faces)
-{
-    const struct csg_plane *planes = surface->planes.data;
-    if (was_remote && is_same_plane(&planes[i - 1], &planes[i])) {
-        faces[i] = faces[i - 1];
-        return true;
-    }
-    return add_plane(builder, &planes[i], extent, true, &faces[i]);
-}
-
-static struct csg_leaf_extent face_extent(const struct csg_surface_extent *extent, double rounding)
+struct csg_leaf_extent csg_carrier_face_extent(const struct csg_surface_extent *extent,
+                                               double rounding)
 {
     return (struct csg_leaf_extent){extent->center, extent->radius, extent->radius, rounding};
 }
 
-/* Assigns the faces that are remote and ranks the others; SIZE_MAX: out of memory. */
-static size_t rank_planes(struct csg_carrier_builder *builder, uint32_t leaf,
-                          const struct csg_surface_extent *extents, struct ranked_plane *ranked)
+uint32_t csg_num_faces(const struct csgcast_scene *scene, uint32_t leaf)
 {
-    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    const struct csg_surface *surface = shape->surface;
-    struct csg_face *faces = &builder->carriers->faces[builder->carriers->face_begin[leaf]];
-    const struct csg_remote remote = csg_remote_start(builder->scene, builder->wanted, leaf);
-    bool was_remote = false;
-    size_t num = 0;
-    for (uint32_t i = 0; i < surface->planes.num; i++) {
-        const struct csg_leaf_extent extent = face_extent(&extents[i], shape->rounding);
-        const double reach =
-            extent.radius + csg_carrier_tolerance(&extent, builder->largest_rounding);
-        const bool is_remote = csg_remote_is(&remote, extent.center, reach);
-        if (!is_remote)
-            ranked[num++] = (struct ranked_plane){extent.radius, i};
-        else if (!assign_remote(builder, surface, i, was_remote, &extent, faces))
-            return SIZE_MAX;
-        was_remote = is_remote;
-    }
-    return num;
+    const struct csg_shape *shape = &scene->leaves[leaf].shape;
+    return shape->surface ? (uint32_t)shape->surface->planes.num : shape->num_planes;
 }
 
-/* Each face of a surface counts where it is, the largest first. */
-static bool assign_surface(struct csg_carrier_builder *builder, uint32_t leaf)
+struct csg_plane csg_carrier_of_face(const struct csgcast_scene *scene, uint32_t leaf,
+                                     uint32_t face, const struct csg_map *inverse, bool *flipped)
+{
+    const struct csg_carriers *carriers = scene->carriers;
+    const struct csg_surface *surface = scene->leaves[leaf].shape.surface;
+    const uint32_t begin = carriers->face_begin[leaf];
+    const bool is_own = surface && (begin == carriers->face_begin[leaf + 1] ||
+                                    carriers->faces[begin + face].carrier == CSG_NO_CARRIER);
+    *flipped = is_own ? surface->own[face].flipped : carriers->faces[begin + face].flipped;
+    return is_own ? csg_own_plane(surface, surface->own[face].plane, inverse)
+                  : carriers->planes[carriers->faces[begin + face].carrier];
+}
+
+/* Each face that is not remote counts where it is, the largest first. */
+static bool assign_faces(struct csg_carrier_builder *builder, uint32_t leaf, const uint8_t *near)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    const struct csg_surface *surface = shape->surface;
-    struct csg_face *faces = &builder->carriers->faces[builder->carriers->face_begin[leaf]];
-    struct csg_surface_extent *extents = csg_surface_extents(surface);
-    struct ranked_plane *ranked = malloc((surface->planes.num + 1) * sizeof *ranked);
-    const size_t num = extents && ranked ? rank_planes(builder, leaf, extents, ranked) : SIZE_MAX;
-    bool ok = num != SIZE_MAX;
-    if (ok && num > 1)
-        qsort(ranked, num, sizeof *ranked, compare_planes);
+    const size_t begin = builder->carriers->face_begin[leaf], num = shape->surface->planes.num;
+    struct csg_face *faces = &builder->carriers->faces[begin];
+    struct csg_surface_extent *extents = csg_surface_extents(shape->surface, &shape->frame);
+    uint32_t *ranked = extents ? csg_carrier_rank_faces(extents, num) : NULL;
+    struct csg_map inverse = csg_map_identity;
+    bool ok = ranked != NULL;
+    csg_map_invert(&shape->frame, &inverse);
     for (size_t i = 0; ok && i < num; i++) {
-        const uint32_t plane = ranked[i].plane;
-        const struct csg_leaf_extent extent = face_extent(&extents[plane], shape->rounding);
-        ok = assign_plane(builder, &surface->planes.data[plane], &extent, &faces[plane]);
+        const uint32_t face = ranked[i];
+        const struct csg_plane plane = csg_own_plane(shape->surface, face, &inverse);
+        const struct csg_leaf_extent extent =
+            csg_carrier_face_extent(&extents[face], shape->rounding);
+        if (near[face])
+            ok = assign_plane(builder, &plane, &extent,
+                              is_loner(builder, builder->loners.planes, begin + face),
+                              &faces[face]);
+        else
+            faces[face].carrier = CSG_NO_CARRIER;
     }
     free(extents);
     free(ranked);
     return ok;
+}
+
+/* How many of the surface's own planes stand for faces of the leaf. */
+static void count_own(struct csg_carriers *carriers, const struct csg_surface *surface,
+                      const uint8_t *near)
+{
+    size_t num_faces = surface->planes.num, num_own = surface->num_own;
+    for (uint32_t i = 0; near && i < surface->planes.num; i++) {
+        num_faces -= near[i];
+        num_own -= near[i] && surface->own[i].plane == i;
+    }
+    carriers->num_own += num_own;
+    carriers->num_shared += num_faces - num_own;
+}
+
+static bool assign_surface(struct csg_carrier_builder *builder, uint32_t leaf)
+{
+    const uint8_t *near = builder->remote.near[leaf];
+    count_own(builder->carriers, builder->scene->leaves[leaf].shape.surface, near);
+    return !near || assign_faces(builder, leaf, near);
 }
 
 static bool assign_leaf(struct csg_carrier_builder *builder, uint32_t leaf)
@@ -163,8 +190,9 @@ static bool assign_leaf(struct csg_carrier_builder *builder, uint32_t leaf)
     if (shape->surface)
         return assign_surface(builder, leaf);
     for (size_t i = 0; i < shape->num_planes; i++) {
-        struct csg_face *face = &carriers->faces[carriers->face_begin[leaf] + i];
-        if (!assign_plane(builder, &shape->planes[i], &extent, face))
+        const size_t face = carriers->face_begin[leaf] + i;
+        const bool alone = is_loner(builder, builder->loners.planes, face);
+        if (!assign_plane(builder, &shape->planes[i], &extent, alone, &carriers->faces[face]))
             return false;
     }
     if (!shape->has_quadric)
@@ -244,7 +272,7 @@ static struct csg_box finite_box(const struct csg_carrier_builder *builder)
 }
 
 /* ... and how far two matching faces can differ there at most. */
-static bool start_index(struct csg_carrier_builder *builder)
+bool csg_carrier_start_index(struct csg_carrier_builder *builder)
 {
     const struct csgcast_scene *scene = builder->scene;
     const struct csg_box box = finite_box(builder);
@@ -268,6 +296,39 @@ static bool start_index(struct csg_carrier_builder *builder)
     return csg_index_start(&builder->index, center, builder->radius, slack, largest);
 }
 
+/* Faces of surfaces have a place where not all are remote. */
+static size_t count_faces(const struct csg_carrier_builder *builder, size_t leaf)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    if (!shape->surface)
+        return shape->num_planes;
+    return builder->remote.near && builder->remote.near[leaf] ? shape->surface->planes.num : 0;
+}
+
+static bool allocate(struct csg_carrier_builder *builder)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    const struct csgcast_scene *scene = builder->scene;
+    const size_t num = scene->num_leaves;
+    carriers->face_begin = malloc((num + 1) * sizeof *carriers->face_begin);
+    if (!carriers->face_begin)
+        return false;
+    uint32_t total = 0;
+    for (size_t i = 0; i < num; i++) {
+        carriers->face_begin[i] = total;
+        total += (uint32_t)count_faces(builder, i);
+    }
+    carriers->face_begin[num] = total;
+    carriers->faces = calloc(total + 1, sizeof *carriers->faces);
+    carriers->quadric_faces = malloc((num + 1) * sizeof *carriers->quadric_faces);
+    carriers->sheets = calloc(num + 1, sizeof *carriers->sheets);
+    if (!carriers->faces || !carriers->quadric_faces || !carriers->sheets)
+        return false;
+    for (size_t i = 0; i < num; i++)
+        carriers->quadric_faces[i] = (struct csg_face){CSG_NO_CARRIER, false};
+    return true;
+}
+
 /* Coincidence is looked for among all leaves: flush faces of different objects share carriers too,
  * so that the depth buffer sees equal depths and the first object wins everywhere. */
 static bool assign_all(struct csg_carrier_builder *builder)
@@ -277,9 +338,11 @@ static bool assign_all(struct csg_carrier_builder *builder)
     builder->is_alone = builder->leaves.num == 1 &&
                         !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
     if (!builder->is_alone &&
-        (!start_index(builder) ||
-         !csg_loners_find(&builder->loners, builder->scene, builder->wanted,
-                          builder->carriers->face_begin, &builder->index)))
+        (!csg_carrier_start_index(builder) ||
+         !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
+                          builder->largest_rounding)))
+        return false;
+    if (!allocate(builder) || (!builder->is_alone && !csg_loners_find(&builder->loners, builder)))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
         if (!assign_leaf(builder, builder->leaves.data[i].leaf))
@@ -308,27 +371,16 @@ static void fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *c
     }
 }
 
-static bool allocate(struct csg_carriers *carriers, const struct csgcast_scene *scene)
+void csg_carrier_builder_finish(struct csg_carrier_builder *builder)
 {
-    const size_t num = scene->num_leaves;
-    carriers->face_begin = malloc((num + 1) * sizeof *carriers->face_begin);
-    if (!carriers->face_begin)
-        return false;
-    uint32_t total = 0;
-    for (size_t i = 0; i < num; i++) {
-        carriers->face_begin[i] = total;
-        const struct csg_shape *shape = &scene->leaves[i].shape;
-        total += (uint32_t)(shape->surface ? shape->surface->planes.num : shape->num_planes);
-    }
-    carriers->face_begin[num] = total;
-    carriers->faces = calloc(total + 1, sizeof *carriers->faces);
-    carriers->quadric_faces = malloc((num + 1) * sizeof *carriers->quadric_faces);
-    carriers->sheets = calloc(num + 1, sizeof *carriers->sheets);
-    if (!carriers->faces || !carriers->quadric_faces || !carriers->sheets)
-        return false;
-    for (size_t i = 0; i < num; i++)
-        carriers->quadric_faces[i] = (struct csg_face){CSG_NO_CARRIER, false};
-    return true;
+    csg_index_finish(&builder->index);
+    csg_remote_finish(&builder->remote);
+    csg_loners_finish(&builder->loners);
+    free(builder->wanted);
+    csg_plane_table_finish(&builder->planes);
+    free(builder->plane_rounding.data);
+    free(builder->quadric_rounding.data);
+    free(builder->leaves.data);
 }
 
 struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
@@ -336,17 +388,10 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
 {
     struct csg_carrier_builder builder = {
         .scene = scene, .before = before, .carriers = calloc(1, sizeof *builder.carriers)};
-    const bool ok =
-        builder.carriers && allocate(builder.carriers, scene) && assign_all(&builder);
+    const bool ok = builder.carriers && assign_all(&builder);
     if (ok)
         fill_boxes(scene, builder.carriers);
-    csg_index_finish(&builder.index);
-    csg_loners_finish(&builder.loners);
-    free(builder.wanted);
-    csg_plane_table_finish(&builder.planes);
-    free(builder.plane_rounding.data);
-    free(builder.quadric_rounding.data);
-    free(builder.leaves.data);
+    csg_carrier_builder_finish(&builder);
     if (ok)
         return builder.carriers;
     csg_carriers_destroy(builder.carriers);

@@ -29,14 +29,25 @@ struct csg_carriers {
     uint32_t *quadric_leaves; /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity, num_quadric_leaves;
     size_t num_shared; /* faces that found an earlier face's carrier */
+    size_t num_own;    /* planes of surfaces that nothing else can lie on: not in planes[] */
 
     uint32_t *face_begin;           /* num_leaves + 1: leaf's plane faces in faces[] */
-    struct csg_face *faces;         /* of planes, in the order of the leaf's shape */
+    struct csg_face *faces;         /* of planes, in the order of the leaf's shape; of a surface
+                                     * whose faces are all its own there are none */
     struct csg_face *quadric_faces; /* per leaf; carrier CSG_NO_CARRIER where it has none */
     int8_t *sheets;                 /* per leaf: shape.sheet, in the carrier's canonical space */
 };
 
+/* Of a surface's face: it is its own, see csg_carrier_of_face. */
 #define CSG_NO_CARRIER UINT32_MAX
+
+/* Plane faces of the leaf. */
+uint32_t csg_num_faces(const struct csgcast_scene *scene, uint32_t leaf);
+
+/* The carrier of a plane face. Of surfaces most are the surface's own planes, which all copies
+ * share; they are only made where they are asked for. inverse: of the leaf's shape.frame. */
+struct csg_plane csg_carrier_of_face(const struct csgcast_scene *scene, uint32_t leaf,
+                                     uint32_t face, const struct csg_map *inverse, bool *flipped);
 
 /* The quadric of a carrier; the scene's leaves are those that its carriers were made from. */
 static inline const struct csg_quadric *csg_carrier_quadric(const struct csgcast_scene *scene,

@@ -8,6 +8,8 @@
 #include "csg/carrier_index.h"
 #include "csg/loners.h"
 #include "csg/plane_table.h"
+#include "csg/remote.h"
+#include "mesh/surface.h"
 
 /* Where a leaf is and how much its faces may be off. Of an unbounded leaf the finite part of the
  * scene is what matters; center is its own place. */
@@ -34,11 +36,27 @@ struct csg_carrier_builder {
     struct csg_plane_table planes; /* that were met */
     bool *wanted;               /* by leaf: it is in leaves */
     bool is_alone;              /* the only leaf: no face can coincide with another */
+    struct csg_remote remote;   /* faces of surfaces that have no place in carriers->faces */
     struct csg_loners loners;   /* neither in the index nor in the table */
     double radius;              /* of the finite part of the scene */
     double largest_rounding;    /* of the leaves at hand */
     CSG_ARRAY(struct ranked_leaf) leaves; /* largest first */
 };
+
+/* All but the carriers. */
+void csg_carrier_builder_finish(struct csg_carrier_builder *builder);
+
+/* For the leaves that are wanted. false: out of memory. */
+bool csg_carrier_start_index(struct csg_carrier_builder *builder);
+
+/* The carrier of a plane: one that is there, or a new one. false: out of memory. */
+bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                              const struct csg_leaf_extent *extent, struct csg_face *face);
+
+/* The faces with these extents, the largest first. NULL: out of memory. */
+uint32_t *csg_carrier_rank_faces(const struct csg_surface_extent *extents, size_t num);
+struct csg_leaf_extent csg_carrier_face_extent(const struct csg_surface_extent *extent,
+                                               double rounding);
 
 struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *builder, uint32_t leaf);
 

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 
 #include "common/parallel.h"
-#include "mesh/surface.h"
+#include "csg/carrier_builder.h"
+#include "csg/own_faces.h"
 
 /* Scenes of fewer faces are through before threads have started. */
 enum { MIN_FACES = 20000, NUM_TASKS = 32 };
@@ -18,9 +19,7 @@ enum { PLACES_A_FACE = 16, PLACES_A_WORD = 16 };
 
 struct search {
     const struct csgcast_scene *scene;
-    const bool *wanted;
-    const uint32_t *face_begin;
-    const struct csg_carrier_index *index;
+    const struct csg_carrier_builder *builder;
     struct csg_loners *loners;
     struct csg_directions *directions; /* by task; the first one's are all of them in the end */
     atomic_uint *words; /* of a place: whether a key has come there, and whether a second one has */
@@ -28,16 +27,37 @@ struct search {
     bool is_dense;      /* planes are not looked at */
 };
 
+/* Planes of one leaf. */
 struct planes {
+    const struct csg_surface *surface; /* NULL: data are they */
+    const uint8_t *near;
+    struct csg_map inverse;
     const struct csg_plane *data;
     size_t num;
 };
 
-static struct planes planes_of(const struct csg_shape *shape)
+static struct planes planes_of(const struct search *search, uint32_t leaf)
 {
-    if (shape->surface)
-        return (struct planes){shape->surface->planes.data, shape->surface->planes.num};
-    return (struct planes){shape->planes, shape->num_planes};
+    const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
+    struct planes planes = {.data = shape->planes, .num = shape->num_planes};
+    if (!shape->surface)
+        return planes;
+    planes.near = search->builder->remote.near[leaf];
+    planes.surface = shape->surface;
+    planes.num = planes.near ? shape->surface->planes.num : 0;
+    planes.inverse = csg_map_identity;
+    csg_map_invert(&shape->frame, &planes.inverse);
+    return planes;
+}
+
+/* false: a remote face of a surface. */
+static bool plane_at(const struct planes *planes, uint32_t i, struct csg_plane *plane)
+{
+    if (planes->surface && !planes->near[i])
+        return false;
+    *plane = planes->surface ? csg_own_plane(planes->surface, i, &planes->inverse)
+                             : planes->data[i];
+    return true;
 }
 
 typedef void visit_fn(struct search *search, uint32_t leaf, size_t task);
@@ -47,7 +67,7 @@ static void visit_leaves(struct search *search, size_t task, visit_fn *visit)
 {
     const size_t num = search->scene->num_leaves;
     for (size_t i = num * task / NUM_TASKS; i < num * (task + 1) / NUM_TASKS; i++)
-        if (search->wanted[i])
+        if (search->builder->wanted[i])
             visit(search, (uint32_t)i, task);
 }
 
@@ -55,9 +75,11 @@ static void visit_leaves(struct search *search, size_t task, visit_fn *visit)
 
 static void note_leaf(struct search *search, uint32_t leaf, size_t task)
 {
-    const struct planes planes = planes_of(&search->scene->leaves[leaf].shape);
-    for (size_t i = 0; i < planes.num; i++)
-        csg_directions_add(&search->directions[task], &planes.data[i]);
+    const struct planes planes = planes_of(search, leaf);
+    struct csg_plane plane;
+    for (uint32_t i = 0; i < planes.num; i++)
+        if (plane_at(&planes, i, &plane))
+            csg_directions_add(&search->directions[task], &plane);
 }
 
 static void note_task(void *user, size_t task)
@@ -96,19 +118,22 @@ static int plane_keys(const struct search *search, const struct csg_plane *plane
 {
     if (search->is_dense || csg_directions_are_shared(search->directions, plane))
         return 0;
-    return csg_index_plane_keys(search->index, plane, keys);
+    return csg_index_plane_keys(&search->builder->index, plane, keys);
 }
 
 static void enter_leaf(struct search *search, uint32_t leaf, size_t task)
 {
     const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
-    const struct planes planes = planes_of(shape);
+    const struct planes planes = planes_of(search, leaf);
+    struct csg_plane plane;
     uint64_t keys[8];
     (void)task;
-    for (size_t i = 0; i < planes.num; i++)
-        enter(search, keys, plane_keys(search, &planes.data[i], keys));
+    for (uint32_t i = 0; i < planes.num; i++)
+        if (plane_at(&planes, i, &plane))
+            enter(search, keys, plane_keys(search, &plane, keys));
     if (shape->has_quadric)
-        enter(search, keys, csg_index_quadric_keys(search->index, &shape->quadric, keys));
+        enter(search, keys,
+              csg_index_quadric_keys(&search->builder->index, &shape->quadric, keys));
 }
 
 static void enter_task(void *user, size_t task)
@@ -119,15 +144,18 @@ static void enter_task(void *user, size_t task)
 static void judge_leaf(struct search *search, uint32_t leaf, size_t task)
 {
     const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
-    const struct planes planes = planes_of(shape);
-    uint8_t *faces = search->loners->planes + search->face_begin[leaf];
+    const struct planes planes = planes_of(search, leaf);
+    uint8_t *faces = search->loners->planes + search->builder->carriers->face_begin[leaf];
+    struct csg_plane plane;
     uint64_t keys[8];
     (void)task;
-    for (size_t i = 0; i < planes.num; i++)
-        faces[i] = is_alone(search, keys, plane_keys(search, &planes.data[i], keys));
+    for (uint32_t i = 0; i < planes.num; i++)
+        faces[i] = plane_at(&planes, i, &plane) &&
+                   is_alone(search, keys, plane_keys(search, &plane, keys));
     if (shape->has_quadric)
-        search->loners->quadrics[leaf] = is_alone(
-            search, keys, csg_index_quadric_keys(search->index, &shape->quadric, keys));
+        search->loners->quadrics[leaf] =
+            is_alone(search, keys,
+                     csg_index_quadric_keys(&search->builder->index, &shape->quadric, keys));
 }
 
 static void judge_task(void *user, size_t task)
@@ -151,14 +179,14 @@ static void find(struct search *search)
     run(search, judge_task);
 }
 
-bool csg_loners_find(struct csg_loners *loners, const struct csgcast_scene *scene,
-                     const bool *wanted, const uint32_t *face_begin,
-                     const struct csg_carrier_index *index)
+bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder *builder)
 {
-    const size_t num_planes = face_begin[scene->num_leaves];
+    const struct csgcast_scene *scene = builder->scene;
+    const struct csg_carrier_index *index = &builder->index;
+    const size_t num_planes = builder->carriers->face_begin[scene->num_leaves];
     const size_t num_faces = num_planes + scene->num_leaves;
-    struct search search = {.scene = scene, .wanted = wanted, .face_begin = face_begin,
-                            .index = index, .loners = loners, .mask = PLACES_A_WORD - 1};
+    struct search search = {
+        .scene = scene, .builder = builder, .loners = loners, .mask = PLACES_A_WORD - 1};
     search.is_dense = (double)num_planes * index->fine > MAX_DENSITY * index->radius;
     if (num_faces < MIN_FACES)
         return true;

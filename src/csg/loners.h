@@ -16,14 +16,13 @@ struct csg_loners {
     uint8_t *quadrics; /* by leaf */
 };
 
+struct csg_carrier_builder;
+
 /*
- * Of the leaves that wanted marks; index is started, and nothing in it; face_begin as in struct
- * csg_carriers. A face is a loner where no cell that is looked at for it is looked at for another
+ * Of the builder's leaves; its index is started, and nothing in it. A face is a loner where no cell that is looked at for it is looked at for another
  * one. The order of the faces does not matter. false: out of memory.
  */
-bool csg_loners_find(struct csg_loners *loners, const struct csgcast_scene *scene,
-                     const bool *wanted, const uint32_t *face_begin,
-                     const struct csg_carrier_index *index);
+bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder *builder);
 void csg_loners_finish(struct csg_loners *loners);
 
 #endif

@@ -1,48 +1,158 @@
 /* SPDX-License-Identifier: MIT */
 #include "csg/remote.h"
 
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "common/parallel.h"
+#include "csg/box_tree.h"
+#include "csg/carrier_builder.h"
 #include "csg/object.h"
 #include "mesh/surface.h"
 
-/* Surfaces of fewer faces are through before their neighbours are found. */
-enum { MIN_FACES = 64 };
+/* Leaves that one thread looks at in a go. */
+enum { CHUNK = 64 };
 
-struct csg_remote csg_remote_start(const struct csgcast_scene *scene, const bool *wanted,
-                                   uint32_t leaf)
+struct search {
+    const struct csgcast_scene *scene;
+    const bool *wanted;
+    double rounding;
+    struct csg_box_tree tree;
+    struct csg_remote *remote;
+    atomic_bool is_out_of_memory;
+};
+
+static bool overlaps(const struct csg_box *a, const struct csg_box *b)
 {
-    const struct csg_surface *surface = scene->leaves[leaf].shape.surface;
-    const struct csg_box own = csg_leaf_box(&scene->leaves[leaf]);
-    struct csg_remote remote = {.none = !surface->is_simple || surface->planes.num < MIN_FACES ||
-                                        !csg_box_is_finite(&own)};
-    /* Tolerances are far smaller than the surface. */
-    const struct csg_box near = csg_box_grown(&own, csg_length(csg_sub(own.hi, own.lo)));
-    for (uint32_t i = 0; i < scene->num_leaves && !remote.none; i++) {
-        const struct csg_box box = csg_leaf_box(&scene->leaves[i]);
-        const struct csg_box both = csg_box_intersection(&box, &near);
-        if (i == leaf || !wanted[i] || csg_box_is_empty(&both))
+    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y &&
+           a->lo.z <= b->hi.z && b->lo.z <= a->hi.z;
+}
+
+/* Marks the planes of triangles that the box, in the surface's space, may meet. */
+static bool mark(const struct csg_surface *surface, const struct csg_box *box, uint8_t *near)
+{
+    const struct csg_box_node *nodes = surface->nodes.data;
+    bool is_any = false;
+    for (size_t i = 0; i < surface->nodes.num;) {
+        if (!overlaps(&nodes[i].box, box)) {
+            i = nodes[i].end;
             continue;
-        if (remote.num == CSG_REMOTE_MAX_BOXES)
-            remote.none = true;
-        else
-            remote.boxes[remote.num++] = box;
+        }
+        for (uint32_t j = 0; j < nodes[i].num; j++)
+            near[surface->own[surface->triangles.data[nodes[i].first + j].plane].plane] = 1;
+        is_any |= nodes[i].num > 0;
+        i++;
     }
-    return remote;
+    return is_any;
 }
 
-static double beside(double x, double lo, double hi)
+/* The other leaf's box in the space of the surface, and what lies within reach of it there. */
+static struct csg_box enter(const struct csgcast_scene *scene, const struct csg_map *inverse,
+                            uint32_t other, double reach)
 {
-    return x < lo ? lo - x : x > hi ? x - hi : 0;
+    const struct csg_shape *shape = &scene->leaves[other].shape;
+    const struct csg_map map = csg_map_multiply(inverse, &shape->frame);
+    const struct csg_box box = csg_box_map(&map, &shape->bounds);
+    return csg_box_grown(&box, reach * csg_map_stretch(inverse));
 }
 
-bool csg_remote_is(const struct csg_remote *remote, struct csg_vec3 center, double radius)
+/* NULL: none, or out of memory. */
+static uint8_t *mark_near(struct search *search, uint32_t leaf, double reach,
+                          const struct csg_box_tree_list *others)
 {
-    bool is_apart = !remote->none;
-    for (size_t i = 0; i < remote->num && is_apart; i++) {
-        const struct csg_box *box = &remote->boxes[i];
-        const struct csg_vec3 d = {beside(center.x, box->lo.x, box->hi.x),
-                                   beside(center.y, box->lo.y, box->hi.y),
-                                   beside(center.z, box->lo.z, box->hi.z)};
-        is_apart = csg_dot(d, d) > radius * radius;
+    const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
+    const struct csg_surface *surface = shape->surface;
+    uint8_t *near = calloc(surface->planes.num + 1, sizeof *near);
+    struct csg_map inverse = csg_map_identity;
+    bool is_any = false;
+    csg_map_invert(&shape->frame, &inverse);
+    if (!near)
+        atomic_store(&search->is_out_of_memory, true);
+    for (size_t i = 0; near && i < others->num; i++) {
+        const struct csg_box box = enter(search->scene, &inverse, others->data[i], reach);
+        is_any |= others->data[i] != leaf && mark(surface, &box, near);
     }
-    return is_apart;
+    for (uint32_t i = 0; is_any && i < surface->planes.num; i++)
+        near[i] = near[surface->own[i].plane];
+    if (is_any)
+        return near;
+    free(near);
+    return NULL;
+}
+
+/* How far from each other faces may be that coincide. */
+static double reach_of(const struct search *search, uint32_t leaf)
+{
+    const struct csg_box box = csg_leaf_box(&search->scene->leaves[leaf]);
+    const double radius = csg_length(csg_sub(box.hi, box.lo));
+    const struct csg_leaf_extent extent = {box.lo, radius, radius,
+                                           search->scene->leaves[leaf].shape.rounding};
+    return csg_carrier_tolerance(&extent, search->rounding);
+}
+
+static void look_at(struct search *search, uint32_t leaf, struct csg_box_tree_list *others)
+{
+    const struct csg_box own = csg_leaf_box(&search->scene->leaves[leaf]);
+    const double reach = reach_of(search, leaf);
+    const struct csg_box around = csg_box_grown(&own, reach);
+    others->num = 0;
+    if (!csg_box_tree_find(&search->tree, &around, others))
+        atomic_store(&search->is_out_of_memory, true);
+    else if (others->num > 1) /* it finds itself */
+        search->remote->near[leaf] = mark_near(search, leaf, reach, others);
+}
+
+static void look_at_chunk(void *user, size_t task)
+{
+    struct search *search = user;
+    const size_t end = (task + 1) * CHUNK, num = search->scene->num_leaves;
+    struct csg_box_tree_list others = {0};
+    for (size_t i = task * CHUNK; i < end && i < num; i++)
+        if (search->wanted[i] && search->scene->leaves[i].shape.surface)
+            look_at(search, (uint32_t)i, &others);
+    free(others.data);
+}
+
+static bool plant(struct search *search)
+{
+    const size_t num = search->scene->num_leaves;
+    struct csg_box *boxes = malloc((num + 1) * sizeof *boxes);
+    for (size_t i = 0; boxes && i < num; i++)
+        boxes[i] = search->wanted[i] ? csg_leaf_box(&search->scene->leaves[i]) : csg_box_empty;
+    const bool ok = boxes && csg_box_tree_init(&search->tree, boxes, num);
+    free(boxes);
+    return ok;
+}
+
+static bool has_surfaces(const struct csgcast_scene *scene)
+{
+    for (size_t i = 0; i < scene->num_leaves; i++)
+        if (scene->leaves[i].shape.surface)
+            return true;
+    return false;
+}
+
+bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scene,
+                     const bool *wanted, double rounding)
+{
+    struct search search = {
+        .scene = scene, .wanted = wanted, .rounding = rounding, .remote = remote};
+    if (!has_surfaces(scene))
+        return true;
+    remote->num_leaves = scene->num_leaves;
+    remote->near = calloc(scene->num_leaves + 1, sizeof *remote->near);
+    const bool ok = remote->near && plant(&search);
+    if (ok)
+        csg_parallel(scene->num_threads, (scene->num_leaves + CHUNK - 1) / CHUNK, look_at_chunk,
+                     &search);
+    csg_box_tree_finish(&search.tree);
+    return ok && !search.is_out_of_memory;
+}
+
+void csg_remote_finish(struct csg_remote *remote)
+{
+    for (size_t i = 0; remote->near && i < remote->num_leaves; i++)
+        free(remote->near[i]);
+    free(remote->near);
+    *remote = (struct csg_remote){0};
 }

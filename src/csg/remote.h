@@ -3,27 +3,23 @@
 #define CSG_CSG_REMOTE_H
 
 /*
- * Remote: faces of a surface that no other solid's box comes near. Where the surface's own faces do
- * not lie upon each other either (is_simple), no ray meets another face where it meets a remote
- * one, so nobody needs to look for what it coincides with.
+ * Remote: faces of a surface that no other solid's box comes near. No ray meets another solid's
+ * face where it meets a remote one, so nobody needs to look for what it coincides with, but for
+ * faces of its own surface (own_faces.h).
  */
 
 #include "csg/scene.h"
 
-/* Boxes beyond which a face is compared with all of what is near the surface, at once. */
-#define CSG_REMOTE_MAX_BOXES 32
-
 struct csg_remote {
-    struct csg_box boxes[CSG_REMOTE_MAX_BOXES]; /* of the other solids */
-    size_t num;
-    bool none; /* no face is known to be remote */
+    uint8_t **near; /* by leaf, by plane: another solid comes near, or comes near a face of the same
+                     * surface that lies on this one's plane; NULL: all faces are remote. */
+    size_t num_leaves;
 };
 
-/* Of leaf, a surface, among the leaves that wanted marks. */
-struct csg_remote csg_remote_start(const struct csgcast_scene *scene, const bool *wanted,
-                                   uint32_t leaf);
-
-/* Whether the ball is apart from the boxes. */
-bool csg_remote_is(const struct csg_remote *remote, struct csg_vec3 center, double radius);
+/* Of the surfaces among the leaves that wanted marks; rounding: the largest of these. false: out of
+ * memory. */
+bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scene,
+                     const bool *wanted, double rounding);
+void csg_remote_finish(struct csg_remote *remote);
 
 #endif

@@ -10,6 +10,7 @@
 #include "csg/carrier.h"
 #include "csg/distribute.h"
 #include "csg/object.h"
+#include "csg/own_faces.h"
 #include "csg/program.h"
 #include "csg/ways.h"
 #include "csg/sharpness.h"
@@ -144,7 +145,7 @@ static bool fill_tree_info(struct csgcast_scene *scene)
 
 static void fill_carrier_info(struct csgcast_scene *scene)
 {
-    scene->info.num_planes = scene->carriers->num_planes;
+    scene->info.num_planes = scene->carriers->num_planes + scene->carriers->num_own;
     scene->info.num_quadrics = scene->carriers->num_quadrics;
     scene->info.num_shared = scene->carriers->num_shared;
 }
@@ -181,7 +182,8 @@ static bool build_surfaces(struct csgcast_scene *scene)
 {
     for (size_t i = 0; i < scene->num_leaves; i++) {
         struct csg_surface *surface = scene->leaves[i].shape.surface;
-        if (surface && surface->nodes.num == 0 && !csg_surface_build(surface))
+        if (surface && !surface->own &&
+            (!csg_surface_build(surface) || !csg_own_faces_find(surface)))
             return false;
     }
     return true;

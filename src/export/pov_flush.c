@@ -30,6 +30,8 @@ static void mark_leaf(const struct csg_pov *pov, uint32_t leaf, bool clear)
     const struct csg_carriers *carriers = pov->scene->carriers;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const struct csg_face *face = &carriers->faces[i];
+        if (face->carrier == CSG_NO_CARRIER)
+            continue;
         uint8_t *mark = find_mark(pov, face, true);
         *mark = clear ? 0 : *mark | side_bit(face->flipped);
     }

@@ -70,8 +70,11 @@ bool csg_pov_polygons(struct csg_text *text, const struct csg_shape *shape, cons
 
 /* ---- surfaces ------------------------------------------------------------------------------- */
 
-void csg_pov_triangles(struct csg_text *text, const struct csg_surface *surface, const char *tail)
+bool csg_pov_triangles(struct csg_text *text, const struct csg_shape *shape, const char *tail)
 {
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    if (!surface)
+        return false;
     csg_text_open(text, "mesh2");
     begin_list(text, "vertex_vectors", surface->points.num);
     for (size_t i = 0; i < surface->points.num; i++)
@@ -84,4 +87,6 @@ void csg_pov_triangles(struct csg_text *text, const struct csg_surface *surface,
     }
     csg_text_close(text);
     finish(text, tail);
+    csg_surface_destroy(surface);
+    return true;
 }

@@ -86,9 +86,25 @@ static bool meet_triangle(const struct csg_surface *surface, uint32_t i, const s
     return csg_array_push(meetings, meeting);
 }
 
-bool csg_surface_meet(const struct csg_surface *surface, struct csg_vec3 org, struct csg_vec3 dir,
-                      struct csg_meetings *meetings)
+/* The line in the space of the surface, where it leaves the solid by the same triangles, also of a
+ * place that mirrors. false: there is none. */
+static bool enter_space(const struct csg_map *place, struct csg_vec3 *org, struct csg_vec3 *dir)
 {
+    struct csg_map inverse;
+    if (csg_map_is_identity(place))
+        return true;
+    if (!csg_map_invert(place, &inverse))
+        return false;
+    *org = csg_map_point(&inverse, *org);
+    *dir = csg_map_direction(&inverse, *dir);
+    return true;
+}
+
+bool csg_surface_meet(const struct csg_surface *surface, const struct csg_map *place,
+                      struct csg_vec3 org, struct csg_vec3 dir, struct csg_meetings *meetings)
+{
+    if (!enter_space(place, &org, &dir))
+        return true;
     const struct shear shear = shear_for(org, dir);
     const struct csg_box_node *nodes = surface->nodes.data;
     for (size_t i = 0; i < surface->nodes.num;) {
@@ -104,12 +120,13 @@ bool csg_surface_meet(const struct csg_surface *surface, struct csg_vec3 org, st
     return true;
 }
 
-int csg_surface_winding(const struct csg_surface *surface, struct csg_vec3 p)
+int csg_surface_winding(const struct csg_surface *surface, const struct csg_map *place,
+                        struct csg_vec3 p)
 {
-    const struct csg_vec3 dir = {0.5773, 0.2113, 0.7886}; /* along no likely face */
+    struct csg_vec3 dir = {0.5773, 0.2113, 0.7886}; /* along no likely face */
     struct csg_meetings meetings = {0};
     int winding = 0;
-    if (csg_surface_meet(surface, p, dir, &meetings))
+    if (csg_surface_meet(surface, place, p, dir, &meetings) && enter_space(place, &p, &dir))
         for (size_t i = 0; i < meetings.num; i++) {
             const struct csg_meeting *meeting = &meetings.data[i];
             const struct csg_plane *plane =

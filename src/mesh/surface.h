@@ -33,40 +33,74 @@ struct csg_box_node {
     uint32_t first, num; /* a leaf's triangles; num is 0 elsewhere */
 };
 
-struct csg_surface {
-    CSG_ARRAY(struct csg_vec3) points;
-    CSG_ARRAY(struct csg_triangle) triangles; /* in the order of the hierarchy once it is built */
-    CSG_ARRAY(struct csg_plane) planes;       /* unit normals out of the solid */
-    CSG_ARRAY(struct csg_box_node) nodes;     /* none until csg_surface_build */
-    bool is_simple; /* no two faces lie upon each other, not even in part */
-    bool open; /* some edge does not belong to two triangles in opposite directions */
-};
-
-void csg_surface_destroy(struct csg_surface *surface);
-
-/* NULL: out of memory. */
-struct csg_surface *csg_surface_copy(const struct csg_surface *surface);
-
-/* Replaces it by its image. false, with the surface untouched, where map is singular and there are
- * triangles. */
-bool csg_surface_map(struct csg_surface *surface, const struct csg_map *map);
-
-/* Builds the hierarchy of boxes; again after a map. false: out of memory. */
-bool csg_surface_build(struct csg_surface *surface);
-
-/* Whether all points and planes are finite. */
-bool csg_surface_is_finite(const struct csg_surface *surface);
-
-struct csg_box csg_surface_box(const struct csg_surface *surface);
-
 /* Where the triangles of a plane are: centre and radius. */
 struct csg_surface_extent {
     struct csg_vec3 center;
     double radius;
 };
 
+/* A face lies on the plane of this one of the surface's faces, whose inside may be on the other
+ * side. */
+struct csg_own_face {
+    uint32_t plane;
+    bool flipped;
+};
+
+/*
+ * All copies of a solid have one surface, in a space of its own; each says in its csg_shape.frame
+ * where it is, here called place. Nothing is changed once it is made but what csg_surface_build and
+ * csg_own_faces_find (csg/own_faces.h) fill in.
+ */
+struct csg_surface {
+    uint32_t num_sharers; /* shapes beside the first that have it */
+    double rounding;      /* of the points, as that of a csg_shape */
+    CSG_ARRAY(struct csg_vec3) points;
+    CSG_ARRAY(struct csg_triangle) triangles; /* in the order of the hierarchy once it is built */
+    CSG_ARRAY(struct csg_plane) planes;       /* unit normals out of the solid */
+    CSG_ARRAY(struct csg_box_node) nodes;     /* none until csg_surface_build */
+    struct csg_own_face *own;                 /* by plane; NULL until csg_own_faces_find */
+    struct csg_surface_extent *extents;       /* likewise */
+    size_t num_own;                           /* planes that are there own */
+    double size; /* largest coordinate; infinite where a point or plane is not finite */
+    bool is_simple; /* no two faces lie upon each other, not even in part */
+    bool open; /* some edge does not belong to two triangles in opposite directions */
+};
+
+/* One sharer less; the last one takes it along. */
+void csg_surface_destroy(struct csg_surface *surface);
+
+/* One sharer more. Returns surface. Sharers that threads may make or destroy at a time do not
+ * exist: a surface belongs to one scene. */
+struct csg_surface *csg_surface_share(struct csg_surface *surface);
+
+/* A new surface, or a sharer, that is where place takes this one. NULL: out of memory, or place is
+ * singular. */
+struct csg_surface *csg_surface_placed(struct csg_surface *surface, const struct csg_map *place);
+
+/* Builds the hierarchy of boxes. false: out of memory. */
+bool csg_surface_build(struct csg_surface *surface);
+
+/* Fills in size, of a new surface. */
+void csg_surface_measure(struct csg_surface *surface);
+
+/* Whether all points and planes are, where place takes them. */
+bool csg_surface_is_finite(struct csg_surface *surface, const struct csg_map *place);
+
+struct csg_box csg_surface_box(const struct csg_surface *surface);
+
+/* The corners of a triangle so that they run counter-clockwise seen from its front; is_mirrored: in
+ * a place that mirrors. */
+static inline void csg_triangle_corners(const struct csg_triangle *triangle, bool is_mirrored,
+                                        uint32_t corners[3])
+{
+    corners[0] = triangle->points[0];
+    corners[1] = triangle->points[is_mirrored ? 2 : 1];
+    corners[2] = triangle->points[is_mirrored ? 1 : 2];
+}
+
 /* One for each plane; NULL: out of memory. */
-struct csg_surface_extent *csg_surface_extents(const struct csg_surface *surface);
+struct csg_surface_extent *csg_surface_extents(const struct csg_surface *surface,
+                                               const struct csg_map *place);
 
 /* A triangle that a line meets. turns: 1 where the line leaves by its front, from which its corners
  * run counter-clockwise, -1 where it enters there. t is the place along the line of its nearest and
@@ -83,10 +117,11 @@ struct csg_meetings {
 };
 
 /* Appends what the line org + t dir meets. Needs the hierarchy. false: out of memory. */
-bool csg_surface_meet(const struct csg_surface *surface, struct csg_vec3 org, struct csg_vec3 dir,
-                      struct csg_meetings *meetings);
+bool csg_surface_meet(const struct csg_surface *surface, const struct csg_map *place,
+                      struct csg_vec3 org, struct csg_vec3 dir, struct csg_meetings *meetings);
 
 /* Times that the surface goes round p, 1 inside of a single one; out of memory counts as none. */
-int csg_surface_winding(const struct csg_surface *surface, struct csg_vec3 p);
+int csg_surface_winding(const struct csg_surface *surface, const struct csg_map *place,
+                        struct csg_vec3 p);
 
 #endif

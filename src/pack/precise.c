@@ -49,7 +49,8 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
             continue;
         const uint32_t color = marks->leaves ? leaf + 2 : color_of(&marks->scene->leaves[leaf]);
         for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
-            found |= visit_face(marks, 2 * (size_t)carriers->faces[j].carrier +
+            found |= carriers->faces[j].carrier != CSG_NO_CARRIER &&
+                     visit_face(marks, 2 * (size_t)carriers->faces[j].carrier +
                                            (carriers->faces[j].flipped != nodes[i].negated),
                                 color, mark);
         const struct csg_face face = carriers->quadric_faces[leaf];

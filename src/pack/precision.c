@@ -126,15 +126,17 @@ static double plane_error(const struct csg_screen *screen, const struct csg_plan
 static void judge_depths(const struct csg_screen *screen, const struct csgcast_scene *scene,
                          uint32_t leaf, struct csg_precision *precision)
 {
-    const struct csg_carriers *carriers = scene->carriers;
     const struct csg_box box = csg_leaf_box(&scene->leaves[leaf]);
+    struct csg_map inverse = csg_map_identity;
     double range[2];
+    bool flipped;
     csg_depth_range(screen, &box, range);
     if (!(range[1] > 0))
         return;
-    for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
-        const double error =
-            plane_error(screen, &carriers->planes[carriers->faces[i].carrier], range);
+    csg_map_invert(&scene->leaves[leaf].shape.frame, &inverse);
+    for (uint32_t i = 0; i < csg_num_faces(scene, leaf); i++) {
+        const struct csg_plane plane = csg_carrier_of_face(scene, leaf, i, &inverse, &flipped);
+        const double error = plane_error(screen, &plane, range);
         if (is_too_fine(precision, CSG_REASON_DEPTH, leaf, CSG_MAX_DEPTH_ERROR, error))
             precision->resolved = error;
     }

@@ -118,7 +118,7 @@ static void fill_nodes(struct csg_surface_view *view)
 static void set_near(struct csg_surface_view *view, const struct csg_screen *screen,
                      const struct csg_shape *shape)
 {
-    const struct csg_box box = view->surface->nodes.data[0].box;
+    const struct csg_box box = csg_box_map(&view->place, &view->surface->nodes.data[0].box);
     const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
     const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
     const double distance = csg_length(csg_sub(center, screen->origin));
@@ -126,7 +126,7 @@ static void set_near(struct csg_surface_view *view, const struct csg_screen *scr
     view->tnear = screen->orthographic ? -INFINITY : NEAR_SHARE * (radius + distance);
     view->slack =
         SLACK_ROUNDINGS * shape->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
-    view->turns = screen->orthographic ? 0 : csg_surface_winding(view->surface, screen->origin);
+    view->turns = screen->orthographic ? 0 : csg_surface_winding(view->surface, &view->place, screen->origin);
 }
 
 bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,
@@ -134,7 +134,12 @@ bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_scree
                            bool spare)
 {
     const struct csg_surface *surface = shape->surface;
-    *view = (struct csg_surface_view){.surface = surface, .leaf = leaf};
+    *view = (struct csg_surface_view){.surface = surface,
+                                      .leaf = leaf,
+                                      .place = shape->frame,
+                                      .inverse = csg_map_identity,
+                                      .is_mirrored = csg_map_determinant(&shape->frame) < 0};
+    csg_map_invert(&shape->frame, &view->inverse);
     view->points = malloc((surface->points.num + 1) * sizeof *view->points);
     view->nodes = malloc((surface->nodes.num + 1) * sizeof *view->nodes);
     if (!view->points || !view->nodes) {
@@ -146,7 +151,8 @@ bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_scree
     else
         view->tnear = INFINITY; /* nothing is in front */
     for (size_t i = 0; i < surface->points.num; i++)
-        view->points[i] = view_point(view, screen, at, surface->points.data[i]);
+        view->points[i] =
+            view_point(view, screen, at, csg_map_point(&view->place, surface->points.data[i]));
     fill_nodes(view);
     return true;
 }
@@ -224,16 +230,18 @@ static void cut_edge(const struct homogeneous *behind, const struct homogeneous 
 int csg_surface_view_polygon(const struct csg_surface_view *view, const struct csg_screen *screen,
                              struct csg_pixel at, uint32_t triangle, double polygon[4][2])
 {
-    const uint32_t *corners = view->surface->triangles.data[triangle].points;
+    uint32_t corners[3];
     struct homogeneous h[3] = {{0}};
     bool front[3];
     bool all = true;
+    csg_triangle_corners(&view->surface->triangles.data[triangle], view->is_mirrored, corners);
     for (int i = 0; i < 3; i++) {
         front[i] = !isnan(view->points[corners[i]].key);
         all &= front[i];
     }
     for (int i = 0; i < 3 && !all; i++)
-        h[i] = project(screen, at, view->surface->points.data[corners[i]]);
+        h[i] = project(screen, at,
+                       csg_map_point(&view->place, view->surface->points.data[corners[i]]));
     int num = 0;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3;

@@ -27,6 +27,8 @@ struct csg_view_node {
 struct csg_surface_view {
     const struct csg_surface *surface;
     uint32_t leaf;
+    struct csg_map place, inverse; /* of the surface */
+    bool is_mirrored;              /* by that place */
     struct csg_view_point *points;
     struct csg_view_node *nodes;
     double tnear; /* distance along the view axis where triangles are cut off */

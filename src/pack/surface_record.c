@@ -104,23 +104,20 @@ static bool is_thin(double (*polygon)[2], int num)
     return !(fabs(area) > THIN * longest);
 }
 
-static const struct csg_plane *carrier_of(const struct record *record, uint32_t triangle,
-                                          bool *flipped)
+static struct csg_plane carrier_of(const struct record *record, uint32_t triangle, bool *flipped)
 {
     const struct csg_surface_view *view = record->view;
-    const struct csg_carriers *carriers = record->terms->scene->carriers;
-    const uint32_t plane = view->surface->triangles.data[triangle].plane;
-    const struct csg_face face = carriers->faces[carriers->face_begin[view->leaf] + plane];
-    *flipped = face.flipped;
-    return &carriers->planes[face.carrier];
+    return csg_carrier_of_face(record->terms->scene, view->leaf,
+                               view->surface->triangles.data[triangle].plane, &view->inverse,
+                               flipped);
 }
 
 static void fill_plane(const struct record *record, struct face *face, bool thin)
 {
     const struct csg_frame *frame = record->terms->frame;
     bool flipped;
-    const struct csg_plane *plane = carrier_of(record, face->triangle, &flipped);
-    csg_screen_plane(&frame->screen, frame->at, plane, flipped, face->plane);
+    const struct csg_plane plane = carrier_of(record, face->triangle, &flipped);
+    csg_screen_plane(&frame->screen, frame->at, &plane, flipped, face->plane);
     if (!thin)
         return;
     const struct csg_surface_view *view = record->view;
@@ -347,11 +344,11 @@ static void put_normal(const struct record *record, const struct face *face, boo
                        float mark, float *texel)
 {
     bool flipped;
-    const struct csg_plane *plane = carrier_of(record, face->triangle, &flipped);
+    const struct csg_plane plane = carrier_of(record, face->triangle, &flipped);
     const double sign = flipped != negated ? -1 : 1;
-    texel[0] = (float)(sign * plane->normal.x);
-    texel[1] = (float)(sign * plane->normal.y);
-    texel[2] = (float)(sign * plane->normal.z);
+    texel[0] = (float)(sign * plane.normal.x);
+    texel[1] = (float)(sign * plane.normal.y);
+    texel[2] = (float)(sign * plane.normal.z);
     texel[3] = mark;
 }
 

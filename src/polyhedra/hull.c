@@ -180,19 +180,19 @@ static enum csg_hull_result cut_corners(const struct csg_shape *shape, struct cs
     return ok ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
 }
 
-static enum csg_hull_result surface_points(const struct csg_surface *surface,
-                                           struct csg_points *points)
+static enum csg_hull_result surface_points(const struct csg_shape *shape, struct csg_points *points)
 {
     bool ok = true;
-    for (size_t i = 0; i < surface->points.num && ok; i++)
-        ok = csg_array_push(&points->points, surface->points.data[i]);
+    for (size_t i = 0; i < shape->surface->points.num && ok; i++)
+        ok = csg_array_push(&points->points,
+                            csg_map_point(&shape->frame, shape->surface->points.data[i]));
     return ok ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
 }
 
 enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg_points *points)
 {
     if (shape->surface)
-        return surface_points(shape->surface, points);
+        return surface_points(shape, points);
     if (shape->num_planes > max_cut_planes) {
         const enum csg_hull_result result = dual_corners(shape, points);
         if (result != CSG_HULL_FLAT)

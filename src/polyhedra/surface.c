@@ -109,6 +109,8 @@ bool csg_mesh_to_points(const struct csg_mesh *mesh, struct csg_shape *shape)
         csg_surface_destroy(surface);
         return false;
     }
+    surface->rounding = mesh->rounding;
+    csg_surface_measure(surface);
     *shape = (struct csg_shape){
         .surface = surface, .frame = csg_map_identity, .rounding = mesh->rounding};
     shape->bounds = shape->written = box;
@@ -132,5 +134,7 @@ bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape 
         .surface = surface, .frame = csg_map_identity, .rounding = mesh->rounding};
     shape->bounds = shape->written = csg_surface_box(surface);
     turn_outwards(surface, shape->bounds.lo);
+    surface->rounding = mesh->rounding;
+    csg_surface_measure(surface);
     return true;
 }

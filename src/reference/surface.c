@@ -32,16 +32,20 @@ static int compare_crossings(const void *a, const void *b)
 bool csg_cross_surface(const struct csgcast_scene *scene, uint32_t leaf, const struct csg_ray *ray,
                        struct csg_surface_crossings *crossings)
 {
-    const struct csg_carriers *carriers = scene->carriers;
+    const struct csg_map *place = &scene->leaves[leaf].shape.frame;
     const struct csg_surface *surface = scene->leaves[leaf].shape.surface;
+    struct csg_map inverse = csg_map_identity;
     crossings->num = crossings->meetings.num = 0;
-    if (!csg_surface_meet(surface, ray->org, ray->dir, &crossings->meetings))
+    if (!csg_surface_meet(surface, place, ray->org, ray->dir, &crossings->meetings))
         return false;
+    csg_map_invert(place, &inverse);
     for (size_t i = 0; i < crossings->meetings.num; i++) {
         const struct csg_meeting *meeting = &crossings->meetings.data[i];
         const uint32_t face = surface->triangles.data[meeting->triangle].plane;
-        const uint32_t carrier = carriers->faces[carriers->face_begin[leaf] + face].carrier;
-        const double t = crossing_of(&carriers->planes[carrier], ray, meeting);
+        bool flipped;
+        const struct csg_plane plane =
+            csg_carrier_of_face(scene, leaf, face, &inverse, &flipped);
+        const double t = crossing_of(&plane, ray, meeting);
         if (!csg_array_push(crossings,
                             ((struct csg_surface_crossing){t, face, meeting->turns})))
             return false;
@@ -55,17 +59,18 @@ struct csg_vec3 csg_surface_normal(const struct csgcast_scene *scene, uint32_t l
                                    const struct csg_ray *ray, double t, bool enters,
                                    struct csg_surface_crossings *crossings)
 {
-    const struct csg_carriers *carriers = scene->carriers;
+    struct csg_map inverse = csg_map_identity;
     struct csg_vec3 normal = {0, 0, 1};
     double nearest = INFINITY, best = 0;
+    csg_map_invert(&scene->leaves[leaf].shape.frame, &inverse);
     if (!csg_cross_surface(scene, leaf, ray, crossings))
         return normal;
     for (size_t i = 0; i < crossings->num; i++) {
         const struct csg_surface_crossing *crossing = &crossings->data[i];
-        const struct csg_face face =
-            carriers->faces[carriers->face_begin[leaf] + crossing->face];
-        const struct csg_vec3 own =
-            csg_scale(face.flipped ? -1 : 1, carriers->planes[face.carrier].normal);
+        bool flipped;
+        const struct csg_plane plane =
+            csg_carrier_of_face(scene, leaf, crossing->face, &inverse, &flipped);
+        const struct csg_vec3 own = csg_scale(flipped ? -1 : 1, plane.normal);
         /* Of faces at one place one that the line passes in the right sense. */
         const double right = (csg_dot(own, ray->dir) < 0) == enters ? 1 : 0;
         const double miss = fabs(crossing->t - t);

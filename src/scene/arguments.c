@@ -339,6 +339,7 @@ enum csg_status csg_arguments_read(struct csg_arguments *arguments, struct csg_l
         else if (!csg_token_is(token, ')'))
             return expected(&reader, "',' or the ')' at the end of the arguments");
     }
+    arguments->behind = *lexer;
     advance(&reader);
     return CSG_DONE;
 }

@@ -26,6 +26,7 @@ struct csg_arguments {
     struct csg_arena arena;                 /* holds their names, strings and vectors */
     CSG_ARRAY(struct csg_value) stack;      /* complete values of the vectors still open */
     CSG_ARRAY(struct csg_open_vector) open; /* those vectors, the innermost last */
+    struct csg_lexer behind;                /* just behind the ')' of the list read last */
 };
 
 void csg_arguments_finish(struct csg_arguments *arguments);

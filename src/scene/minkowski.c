@@ -66,16 +66,18 @@ static bool add_moved(const struct csg_shape *shape, struct csg_vec3 by, struct 
     return false;
 }
 
-static bool add_triangles(const struct csg_surface *surface, const struct csg_vec3 *corners,
+static bool add_triangles(const struct csg_shape *shape, const struct csg_vec3 *corners,
                           size_t num, struct csg_clusters *sums)
 {
-    bool ok = true;
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    bool ok = surface != NULL;
     for (size_t i = 0; i < surface->triangles.num && ok; i++) {
         struct csg_vec3 triangle[3];
         for (int j = 0; j < 3; j++)
             triangle[j] = surface->points.data[surface->triangles.data[i].points[j]];
         ok = add_sum(triangle, 3, corners, num, sums);
     }
+    csg_surface_destroy(surface);
     return ok;
 }
 
@@ -88,7 +90,7 @@ static bool add_surfaces(const struct csg_sets *a, const struct csg_sets *b, str
             size_t num;
             const struct csg_vec3 *corners = corners_of(&b->convex, j, &num);
             ok = add_moved(&a->surfaces.data[i], corners[0], sum) &&
-                 add_triangles(a->surfaces.data[i].surface, corners, num, &sum->convex);
+                 add_triangles(&a->surfaces.data[i], corners, num, &sum->convex);
         }
     return ok;
 }

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/twins.h"
+
 /* What is still open around the current token. */
 enum open_type {
     OPEN_NODE,   /* cube() { ... */
@@ -23,6 +25,7 @@ struct parser {
     struct csg_lexer lexer;
     struct csg_token token;
     struct csg_arguments arguments;
+    struct csg_twins twins;
     CSG_ARRAY(struct open) open;
     uint8_t modifiers; /* in front of the node to come */
 };
@@ -183,6 +186,7 @@ static enum csg_status add_node(struct parser *parser, const struct csg_token *n
                                          .place = name->place,
                                          .name_length = (uint32_t)name->length,
                                          .end = (uint32_t)num + 1,
+                                         .twin = CSG_NO_TWIN,
                                          .modifiers = parser->modifiers};
     parser->modifiers = 0;
     if (num >= UINT32_MAX - 1 || name->length > UINT32_MAX) {
@@ -212,13 +216,55 @@ static void skip_assignment(struct parser *parser)
     skip_statement(parser);
 }
 
+/* Steps over the arguments of a node as they were stepped over where its twin stands. */
+static void repeat(struct parser *parser, struct csg_parsed_node *node, const struct csg_twin *twin)
+{
+    struct csg_lexer *lexer = &parser->lexer;
+    node->twin = twin->node;
+    lexer->at = node->at + twin->length;
+    lexer->line += twin->num_lines;
+    if (twin->num_lines)
+        lexer->line_begin = node->at + twin->line_begin;
+    lexer->num_rounded += twin->num_rounded;
+    advance(parser);
+}
+
+/* Reads the arguments of a node and, where they are long, remembers it. before: the lexer at its
+ * name. */
+static enum csg_status read_arguments(struct parser *parser, uint32_t index,
+                                      const struct csg_lexer *before)
+{
+    struct csg_lexer *lexer = &parser->lexer;
+    struct csg_parsed_node *node = &parser->document->nodes.data[index];
+    const bool is_text = csg_token_is_name(&parser->token, "text"); /* ends as what follows has it */
+    const enum csg_status status =
+        csg_arguments_read(&parser->arguments, lexer, &parser->token, parser->report);
+    const struct csg_lexer *behind = &parser->arguments.behind;
+    if (status != CSG_DONE || is_text || !csg_twins_want(behind->at - node->at))
+        return status;
+    const struct csg_twin twin = {.at = node->at,
+                                  .length = behind->at - node->at,
+                                  .node = index,
+                                  .num_lines = behind->line - before->line,
+                                  .line_begin = behind->line_begin - node->at,
+                                  .num_rounded = behind->num_rounded - before->num_rounded};
+    node->twin = index;
+    return csg_twins_add(&parser->twins, lexer, &twin) ? CSG_DONE : no_memory(parser);
+}
+
 static enum csg_status read_node(struct parser *parser)
 {
     const uint32_t node = (uint32_t)parser->document->nodes.num;
     enum csg_status status = add_node(parser, &parser->token);
     if (status != CSG_DONE)
         return status;
-    status = csg_arguments_read(&parser->arguments, &parser->lexer, &parser->token, parser->report);
+    const struct csg_lexer before = parser->lexer;
+    const struct csg_twin *twin =
+        csg_twins_find(&parser->twins, &before, parser->document->nodes.data[node].at);
+    if (twin)
+        repeat(parser, &parser->document->nodes.data[node], twin);
+    else
+        status = read_arguments(parser, node, &before);
     if (status == CSG_MALFORMED) {
         parser->document->nodes.data[node].malformed = true;
         skip_arguments(parser);
@@ -330,6 +376,7 @@ bool csg_document_parse(struct csg_document *document, const char *text, size_t 
     close_all(&parser);
     document->num_rounded = parser.lexer.num_rounded;
     csg_arguments_finish(&parser.arguments);
+    csg_twins_finish(&parser.twins);
     free(parser.open.data);
     return status != CSG_NO_MEMORY;
 }

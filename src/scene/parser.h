@@ -17,11 +17,14 @@ enum csg_modifier {
     CSG_MODIFIER_ROOT = 8,       /* ! */
 };
 
+#define CSG_NO_TWIN UINT32_MAX
+
 struct csg_parsed_node {
     size_t at; /* of the name in the text */
     struct csg_place place;
     uint32_t name_length;
     uint32_t end;      /* one past the last node of this subtree */
+    uint32_t twin;     /* the first node with the same arguments (twins.h), or CSG_NO_TWIN */
     uint8_t modifiers; /* of enum csg_modifier */
     bool malformed;    /* its arguments are; a message was given */
 };

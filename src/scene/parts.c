@@ -181,11 +181,9 @@ static void read_inner(void *user, size_t task)
 {
     struct inner *inner = user;
     const struct csg_node_ops *ops = csg_walk_ops(inner->walk, inner->node);
-    struct csg_args args;
     (void)task;
     inner->ok =
-        csg_walk_args(inner->walk, inner->node, ops->name, ops->parameters, &args) &&
-        csg_repeats_read(inner->walk, inner->node, ops, &args, inner->in_boolean, &inner->part);
+        csg_repeats_read(inner->walk, inner->node, ops, inner->in_boolean, &inner->part);
 }
 
 static bool read_compound(struct reader *reader, uint32_t node)

@@ -85,7 +85,9 @@ bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
     struct csg_cut_space space = {.map = csg_map_identity, .reversed = reversed};
     if (walk->points_only)
         return true;
-    if (csg_mesh_is_bent(mesh) && !csg_cut_space_find(walk, node, &space))
+    const bool is_bent = csg_mesh_is_bent(mesh);
+    walk->was_placed |= is_bent;
+    if (is_bent && !csg_cut_space_find(walk, node, &space))
         return false;
     return csg_mesh_clean(mesh, &space) || csg_log_memory(&walk->builder->report->log);
 }

@@ -96,9 +96,10 @@ static bool add_sets(struct projection *projection, const struct csg_clusters *c
 }
 
 /* Those that look up cover all of it, unless there are gaps. */
-static bool add_triangles(struct projection *projection, const struct csg_surface *surface)
+static bool add_triangles(struct projection *projection, const struct csg_shape *shape)
 {
-    bool ok = true;
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    bool ok = surface != NULL;
     projection->has_triangles = true;
     for (size_t i = 0; i < surface->triangles.num && ok; i++) {
         const struct csg_triangle *triangle = &surface->triangles.data[i];
@@ -108,6 +109,7 @@ static bool add_triangles(struct projection *projection, const struct csg_surfac
         if (surface->open || surface->planes.data[triangle->plane].normal.z > 0)
             ok = add_set(projection, corners, 3);
     }
+    csg_surface_destroy(surface);
     return ok || csg_log_memory(&projection->walk->builder->report->log);
 }
 
@@ -115,7 +117,7 @@ static bool add_surfaces(struct projection *projection, const struct csg_sets *s
 {
     bool ok = true;
     for (size_t i = 0; i < sets->surfaces.num && ok; i++)
-        ok = add_triangles(projection, sets->surfaces.data[i].surface);
+        ok = add_triangles(projection, &sets->surfaces.data[i]);
     return ok;
 }
 

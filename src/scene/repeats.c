@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "common/hash.h"
-#include "mesh/surface.h"
 #include "scene/compounds.h"
 #include "scene/handoff.h"
 #include "scene/subtree.h"
@@ -47,6 +46,24 @@ void csg_repeats_destroy(struct csg_repeats *repeats)
 
 /* ---- keys --------------------------------------------------------------------------------- */
 
+static bool has_children(const struct csg_walk *walk, uint32_t node)
+{
+    return csg_walk_node(walk, node)->end > node + 1;
+}
+
+/* Of a node with a twin that is enough. */
+static bool append_text(const struct csg_walk *walk, uint32_t node, struct csg_bytes *key)
+{
+    const uint32_t twin = csg_walk_node(walk, node)->twin;
+    struct csg_subtree subtree = {0};
+    if (!has_children(walk, node) && twin != CSG_NO_TWIN)
+        return csg_bytes_append(key, (const char *)&twin, sizeof twin);
+    const bool ok = csg_subtree_write(&subtree, walk->builder->document, node) &&
+                    csg_bytes_append(key, subtree.text.data, subtree.text.num);
+    csg_subtree_finish(&subtree);
+    return ok;
+}
+
 /* All that a part depends on: the text, what the walks before made of its nodes, and what is wanted
  * of it. */
 static bool fill_key(const struct csg_walk *walk, uint32_t node, bool in_boolean,
@@ -55,19 +72,16 @@ static bool fill_key(const struct csg_walk *walk, uint32_t node, bool in_boolean
     const struct csg_builder *builder = walk->builder;
     const uint32_t end = csg_walk_node(walk, node)->end;
     const char wanted[] = {(char)in_boolean, (char)walk->points_only, (char)builder->facets,
-                           (char)(walk->depth > 127 ? 127 : walk->depth)};
-    struct csg_subtree subtree = {0};
-    bool ok = csg_subtree_write(&subtree, builder->document, node) &&
-              csg_bytes_append(key, wanted, sizeof wanted);
+                           (char)(walk->depth > 127 ? 127 : walk->depth),
+                           (char)(csg_walk_node(walk, node)->twin != CSG_NO_TWIN)};
+    bool ok = csg_bytes_append(key, wanted, sizeof wanted);
     for (uint32_t i = node; i < end && ok; i++) {
         const struct csg_meaning *m = &builder->meanings[i];
         const char meaning[] = {(char)m->role, (char)m->kind, (char)m->dimension,
                                 (char)(m->is_handed_off + 2 * m->is_slab + 4 * m->is_misplaced)};
         ok = csg_bytes_append(key, meaning, sizeof meaning);
     }
-    ok = ok && csg_bytes_append(key, subtree.text.data, subtree.text.num);
-    csg_subtree_finish(&subtree);
-    return ok;
+    return ok && append_text(walk, node, key);
 }
 
 /* ---- the table ---------------------------------------------------------------------------- */
@@ -128,18 +142,13 @@ static bool copy_part(struct csg_part *copy, const struct csg_part *part)
     return ok;
 }
 
+/* Without surfaces, which are shared with the scene. */
 static size_t size_of(const struct csg_part *part)
 {
     size_t size = part->tree.num * sizeof *part->tree.data;
-    for (size_t i = 0; i < part->shapes.num; i++) {
-        const struct csg_shape *shape = &part->shapes.data[i];
-        const struct csg_surface *surface = shape->surface;
-        size += sizeof *shape + shape->num_planes * sizeof *shape->planes;
-        if (surface)
-            size += surface->points.num * sizeof *surface->points.data +
-                    surface->triangles.num * sizeof *surface->triangles.data +
-                    surface->planes.num * sizeof *surface->planes.data;
-    }
+    for (size_t i = 0; i < part->shapes.num; i++)
+        size += sizeof part->shapes.data[i] +
+                part->shapes.data[i].num_planes * sizeof(struct csg_plane);
     return size;
 }
 
@@ -167,12 +176,33 @@ static size_t count_reports(const struct csg_builder *builder)
     return num;
 }
 
+static bool read_compound(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
+                          bool in_boolean, struct csg_part *part)
+{
+    struct csg_args args;
+    return csg_walk_args(walk, node, ops->name, ops->parameters, &args) &&
+           ops->compound(walk, node, &args, in_boolean, part);
+}
+
+/* The same; *is_everywhere: it would be that wherever the node stood, without a word. */
+static bool read_and_judge(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
+                           bool in_boolean, struct csg_part *part, bool *is_everywhere)
+{
+    const size_t reports = count_reports(walk->builder);
+    const bool was_placed = walk->was_placed;
+    walk->was_placed = false;
+    const bool ok = read_compound(walk, node, ops, in_boolean, part);
+    *is_everywhere = count_reports(walk->builder) == reports &&
+                     (has_children(walk, node) || !walk->was_placed);
+    walk->was_placed |= was_placed;
+    return ok;
+}
+
 static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
-                         const struct csg_args *args, bool in_boolean, struct csg_bytes *key,
-                         struct csg_part *part)
+                         bool in_boolean, struct csg_bytes *key, struct csg_part *part)
 {
     struct csg_repeats *repeats = walk->builder->repeats;
-    bool ok;
+    bool ok, is_everywhere;
     const uint64_t hash = csg_hash(CSG_HASH_START, key->data, key->num);
     struct entry *entry = find_or_add(repeats, hash, &ok);
     if (ok && entry && entry->is_kept && entry->key.num == key->num &&
@@ -181,10 +211,9 @@ static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_
     if (!ok)
         return csg_log_memory(&walk->builder->report->log);
     const size_t place = entry ? (size_t)(entry - repeats->entries.data) : 0;
-    const size_t reports = count_reports(walk->builder);
-    if (!ops->compound(walk, node, args, in_boolean, part))
+    if (!read_and_judge(walk, node, ops, in_boolean, part, &is_everywhere))
         return false;
-    if (!entry || count_reports(walk->builder) != reports)
+    if (!entry || !is_everywhere)
         return true;
     entry = &repeats->entries.data[place]; /* what is in the node may have added others */
     return entry->is_kept || keep(repeats, entry, key, part) ||
@@ -192,22 +221,23 @@ static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_
 }
 
 /* Faces that are not plane are cut in a space outside of the resize() that they are in
- * (cut_space.h), and what has no children is as soon read as copied. */
+ * (cut_space.h), and what has no children, no long text and no file is as soon read as copied. */
 static bool depends_on_text(const struct csg_walk *walk, uint32_t node,
                             const struct csg_node_ops *ops)
 {
     return !walk->resized && ops->compound != csg_compound_resize &&
-           csg_walk_node(walk, node)->end > node + 1;
+           (has_children(walk, node) || csg_walk_node(walk, node)->twin != CSG_NO_TWIN ||
+            ops->compound == csg_compound_import || ops->compound == csg_compound_surface);
 }
 
 bool csg_repeats_read(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
-                      const struct csg_args *args, bool in_boolean, struct csg_part *part)
+                      bool in_boolean, struct csg_part *part)
 {
     struct csg_bytes key = {0};
     if (!walk->builder->repeats || !depends_on_text(walk, node, ops))
-        return ops->compound(walk, node, args, in_boolean, part);
+        return read_compound(walk, node, ops, in_boolean, part);
     const bool ok = fill_key(walk, node, in_boolean, &key)
-                        ? read_or_copy(walk, node, ops, args, in_boolean, &key, part)
+                        ? read_or_copy(walk, node, ops, in_boolean, &key, part)
                         : csg_log_memory(&walk->builder->report->log);
     free(key.data);
     return ok;

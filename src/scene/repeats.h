@@ -16,8 +16,8 @@ struct csg_repeats;
 struct csg_repeats *csg_repeats_create(void);
 void csg_repeats_destroy(struct csg_repeats *repeats);
 
-/* As the compound of ops, the node's row, with those arguments. */
+/* As the compound of ops, the node's row, with its arguments. */
 bool csg_repeats_read(struct csg_walk *walk, uint32_t node, const struct csg_node_ops *ops,
-                      const struct csg_args *args, bool in_boolean, struct csg_part *part);
+                      bool in_boolean, struct csg_part *part);
 
 #endif

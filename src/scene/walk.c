@@ -97,7 +97,7 @@ static bool is_finite_vector(struct csg_vec3 v)
 /* Maps near the limits of double take a shape beyond them. */
 static bool is_finite_shape(const struct csg_shape *shape)
 {
-    bool finite = !shape->surface || csg_surface_is_finite(shape->surface);
+    bool finite = !shape->surface || csg_surface_is_finite(shape->surface, &shape->frame);
     for (size_t i = 0; i < shape->num_planes; i++)
         finite &= is_finite_vector(shape->planes[i].normal) && isfinite(shape->planes[i].offset);
     for (int i = 0; shape->has_quadric && i < 3; i++)

@@ -19,6 +19,7 @@ struct csg_walk {
     int depth;                         /* of compounds inside of compounds */
     const struct csg_resized *resized; /* the innermost one; NULL: none */
     bool points_only;                  /* of what is read only the points matter, as for a hull */
+    bool was_placed; /* something read since this was false depends on what is around it */
 };
 
 static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk *walk,

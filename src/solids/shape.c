@@ -33,8 +33,8 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
     *copy = *shape;
     copy->planes = NULL;
     copy->surface = NULL;
-    if (shape->surface && !(copy->surface = csg_surface_copy(shape->surface)))
-        return false;
+    if (shape->surface)
+        copy->surface = csg_surface_share(shape->surface);
     if (!shape->num_planes)
         return true;
     copy->planes = malloc(room_for(shape->num_planes) * sizeof *copy->planes);
@@ -55,16 +55,15 @@ void csg_plane_map(struct csg_plane *plane, const struct csg_map *inverse)
 
 bool csg_shape_map(struct csg_shape *shape, const struct csg_map *map)
 {
-    struct csg_map inverse;
-    if (!csg_map_invert(map, &inverse))
+    struct csg_map inverse, ignored;
+    const struct csg_map frame = csg_map_multiply(map, &shape->frame);
+    if (!csg_map_invert(map, &inverse) || (shape->surface && !csg_map_invert(&frame, &ignored)))
         return false;
     for (size_t i = 0; i < shape->num_planes; i++)
         csg_plane_map(&shape->planes[i], &inverse);
-    if (shape->surface && !csg_surface_map(shape->surface, map))
-        return false;
     if (shape->has_quadric)
         shape->quadric.to_canon = csg_map_multiply(&shape->quadric.to_canon, &inverse);
-    shape->frame = csg_map_multiply(map, &shape->frame);
+    shape->frame = frame;
     shape->sagitta *= csg_map_stretch(map);
     return true;
 }
@@ -159,7 +158,7 @@ static bool is_on_sheet(const struct csg_shape *shape, struct csg_vec3 p)
 bool csg_shape_contains(const struct csg_shape *shape, struct csg_vec3 p)
 {
     if (shape->surface)
-        return csg_surface_winding(shape->surface, p) != 0;
+        return csg_surface_winding(shape->surface, &shape->frame, p) != 0;
     for (size_t i = 0; i < shape->num_planes; i++)
         if (!(csg_dot(shape->planes[i].normal, p) <= shape->planes[i].offset))
             return false;

@@ -36,7 +36,8 @@ struct csg_surface;
 
 /* Either planes and a quadric, or a surface of triangles and neither. */
 struct csg_shape {
-    struct csg_surface *surface; /* owned; NULL: bounded by planes and a quadric (mesh/surface.h) */
+    struct csg_surface *surface; /* NULL: bounded by planes and a quadric. Shared with copies, in
+                                  * the space of `bounds`: see mesh/surface.h */
     struct csg_plane *planes;    /* owned, malloc'ed; NULL when there are none */
     uint32_t num_planes;
     bool has_quadric;

@@ -58,7 +58,8 @@ static void test_flush(const char *second, size_t num_shared)
     if (surface) {
         const size_t num = count_shared(scene, leaf);
         CHECK(num == num_shared, "%s: %zu faces shared, not %zu", second, num, num_shared);
-        CHECK(scene->carriers->num_planes + num_shared >= surface->planes.num - 2 * 38,
+        CHECK(scene->carriers->num_planes + scene->carriers->num_own + num_shared >=
+                  surface->planes.num - 2 * 38,
               "%s: %zu carriers for %zu faces", second, scene->carriers->num_planes,
               surface->planes.num);
     }
@@ -82,7 +83,8 @@ int main(void)
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,10],[0,0,0,1]]) cube([40, 40, 10]);",
                38);
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,10],[0,0,0,1]]) cube([40, 40, 11]);", 0);
-    test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,-5],[0,0,0,1]]) cube([40, 40, 5]);", 38);
+    /* Touches it from below: left out. */
+    test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,-5],[0,0,0,1]]) cube([40, 40, 5]);", 0);
     test_folded();
     return num_failed > 0;
 }

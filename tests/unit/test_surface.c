@@ -85,7 +85,7 @@ static size_t meet_all(const struct csg_surface *surface, struct csg_vec3 org, s
     struct csg_meetings meetings = {0};
     flat.nodes.data = &all;
     flat.nodes.num = 1;
-    CHECK(csg_surface_meet(&flat, org, dir, &meetings), "memory");
+    CHECK(csg_surface_meet(&flat, &csg_map_identity, org, dir, &meetings), "memory");
     const size_t num = meetings.num;
     free(meetings.data);
     return num;
@@ -95,7 +95,7 @@ static int check_line(const struct csg_surface *surface, struct csg_vec3 org, st
 {
     struct csg_meetings meetings = {0};
     int turns = 0;
-    CHECK(csg_surface_meet(surface, org, dir, &meetings), "memory");
+    CHECK(csg_surface_meet(surface, &csg_map_identity, org, dir, &meetings), "memory");
     for (size_t i = 0; i < meetings.num; i++)
         turns += meetings.data[i].turns;
     CHECK(meetings.num == meet_all(surface, org, dir), "%zu meetings", meetings.num);
@@ -140,7 +140,7 @@ static void check_torus(bool grid, double turned)
         const double across = sqrt(p.x * p.x + p.y * p.y) - 2,
                      r = sqrt(across * across + p.z * p.z);
         if (fabs(r - 1) > 0.05)
-            CHECK(csg_surface_winding(surface, p) == (r < 1), "at %g %g %g", p.x, p.y, p.z);
+            CHECK(csg_surface_winding(surface, &csg_map_identity, p) == (r < 1), "at %g %g %g", p.x, p.y, p.z);
     }
     csg_shape_finish(&shape);
     csg_mesh_finish(&mesh);
@@ -155,22 +155,27 @@ static void check_map(void)
     fill_torus(&mesh, 24, 16, false);
     build(&mesh, &shape, 0);
     CHECK(csg_shape_copy(&copy, &shape) && csg_shape_map(&copy, &map), "memory");
-    CHECK(csg_surface_build(copy.surface), "memory");
-    check_lines(copy.surface, 500, false);
+    CHECK(copy.surface == shape.surface, "the copy has a surface of its own");
+    struct csg_surface *placed = csg_surface_placed(copy.surface, &copy.frame);
+    CHECK(placed && csg_surface_build(placed), "memory");
+    check_lines(placed, 500, false);
     for (int i = 0; i < 300; i++) {
         const struct csg_vec3 p = random_point(false), q = csg_map_point(&map, p);
-        const int before = csg_surface_winding(shape.surface, p);
-        CHECK(before == csg_surface_winding(copy.surface, q), "at %g %g %g", p.x, p.y, p.z);
+        const int before = csg_surface_winding(shape.surface, &shape.frame, p);
+        CHECK(before == csg_surface_winding(copy.surface, &copy.frame, q), "at %g %g %g", p.x, p.y, p.z);
+        CHECK(before == csg_surface_winding(placed, &csg_map_identity, q), "at %g %g %g", p.x, p.y,
+              p.z);
         CHECK(before == csg_shape_contains(&shape, p), "at %g %g %g", p.x, p.y, p.z);
     }
-    for (size_t i = 0; i < copy.surface->triangles.num; i++) {
-        const struct csg_triangle *triangle = &copy.surface->triangles.data[i];
-        const struct csg_plane *plane = &copy.surface->planes.data[triangle->plane];
+    for (size_t i = 0; i < placed->triangles.num; i++) {
+        const struct csg_triangle *triangle = &placed->triangles.data[i];
+        const struct csg_plane *plane = &placed->planes.data[triangle->plane];
         for (int j = 0; j < 3; j++) {
-            const struct csg_vec3 p = copy.surface->points.data[triangle->points[j]];
+            const struct csg_vec3 p = placed->points.data[triangle->points[j]];
             CHECK(fabs(csg_dot(plane->normal, p) - plane->offset) < 1e-8, "off its plane");
         }
     }
+    csg_surface_destroy(placed);
     csg_shape_finish(&copy);
     csg_shape_finish(&shape);
     csg_mesh_finish(&mesh);
