@@ -21,7 +21,8 @@
 
 #include "common/join.h"
 
-#define PREFIX "csgcast-"
+/* Not what a script's mktemp may be told, nor a csgcast that holds no locks. */
+#define PREFIX "csgcast-run-"
 #define PATTERN PREFIX "XXXXXX"
 
 static const int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;

@@ -144,20 +144,21 @@ start living
 while [[ ! -e started || $(wc -l <started) -lt 2 ]]; do
     sleep 0.02
 done
-for folder in tmp/csgcast-*; do
+for folder in tmp/csgcast-run-*; do
     touch "$folder/scene.csg"
 done
-touch tmp/csgcast-abcde tmp/other-abcdef
-mkdir tmp/csgcast-secret
-chmod 755 tmp/csgcast-secret
+touch tmp/csgcast-run-abcde tmp/other-abcdef
+mkdir tmp/csgcast-run-secret
+chmod 755 tmp/csgcast-run-secret
+mktemp -d tmp/csgcast-XXXXXX >/dev/null
 kill -KILL "$killed"
 wait "$killed" 2>/dev/null
 expect 0 "a call after one that was killed" info cube.scad --no-gl
 check "its folder is gone, the other's and what is not ours stays" \
-    test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 5
+    test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 6
 kill -KILL -- "-$killed" "-$living"
 wait "$living" 2>/dev/null
 expect 0 "a call after both were killed" info cube.scad --no-gl
-check "both folders are gone" test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 3
+check "both folders are gone" test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 4
 
 finish
