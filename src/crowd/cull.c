@@ -158,7 +158,7 @@ static bool plan_blocks(struct csg_cull *cull)
 static bool are_all_in_float(const struct csg_cull *cull)
 {
     double range[2];
-    csg_depth_range(&cull->view.frame->screen, &cull->view.scene->box, range);
+    csg_depth_range(&cull->view.frame->screen, &cull->view.scene->drawn, range);
     return range[1] > range[0] &&
            csg_precision_suffices(&cull->view.frame->screen, range,
                                   (double)cull->view.crowd->least_need);

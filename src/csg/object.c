@@ -161,6 +161,22 @@ static void mark_leaves(const struct csg_tree *tree, uint32_t begin, uint32_t en
             marks[tree->data[i].leaf] |= mark;
 }
 
+/* Where # is on all of the model, OpenSCAD draws the model as well. */
+static bool is_all_painted(const struct csg_objects *objects)
+{
+    for (size_t i = 0; i < objects->num; i++)
+        if (objects->data[i].layer == CSG_LAYER_MODEL &&
+            objects->data[i].paint != CSG_LAYER_HIGHLIGHT)
+            return false;
+    return true;
+}
+
+static void unpaint(struct csg_objects *objects)
+{
+    for (size_t i = 0; i < objects->num; i++)
+        objects->data[i].paint = objects->data[i].layer;
+}
+
 static void paint_highlights(const struct csgcast_scene *scene, struct csg_objects *objects,
                              uint8_t *marks)
 {
@@ -173,6 +189,10 @@ static void paint_highlights(const struct csgcast_scene *scene, struct csg_objec
             object->paint = CSG_LAYER_HIGHLIGHT;
             mark_leaves(tree, object->begin, object->end, PAINTED, marks);
         }
+    }
+    if (is_all_painted(objects)) {
+        unpaint(objects);
+        return;
     }
     for (size_t i = 0; i < objects->num; i++) {
         struct csg_object *object = &objects->data[i];

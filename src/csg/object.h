@@ -23,7 +23,8 @@ struct csg_objects {
 
 /*
  * Splits the simplified trees. An object whose solids, but for subtracted ones, are all under # is
- * painted as a highlight and hides its copies in that layer, as OpenSCAD's preview has it.
+ * painted as a highlight and hides its copies in that layer, as OpenSCAD's preview has it, but
+ * where that would be all objects.
  * false: out of memory.
  */
 bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *objects);

@@ -150,25 +150,35 @@ static void fill_carrier_info(struct csgcast_scene *scene)
     scene->info.num_shared = scene->carriers->num_shared;
 }
 
-static bool fill_box(struct csgcast_scene *scene)
+static bool add_tree_box(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                         struct csg_box *box)
 {
-    const struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
     struct csg_box *boxes = malloc((tree->num + 1) * sizeof *boxes);
     if (!boxes)
         return false;
     csg_tree_boxes(scene, tree, boxes);
-    scene->box = csg_box_empty;
     for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
-        scene->box = csg_box_union(&scene->box, &boxes[i]);
+        *box = csg_box_union(box, &boxes[i]);
     free(boxes);
     return true;
+}
+
+static bool fill_boxes(struct csgcast_scene *scene)
+{
+    const struct csg_tree *trees = scene->trees;
+    scene->box = csg_box_empty;
+    if (!add_tree_box(scene, &trees[CSG_LAYER_MODEL], &scene->box))
+        return false;
+    scene->drawn = scene->box;
+    return add_tree_box(scene, &trees[CSG_LAYER_BACKGROUND], &scene->drawn) &&
+           add_tree_box(scene, &trees[CSG_LAYER_HIGHLIGHT], &scene->drawn);
 }
 
 /* What the trees say of the scene, whatever of their structure is kept besides. */
 static bool fill_from_trees(struct csgcast_scene *scene)
 {
     fill_written(scene);
-    return fill_box(scene) && fill_tree_info(scene);
+    return fill_boxes(scene) && fill_tree_info(scene);
 }
 
 /* Simplifies the tree; kept, where structure is kept, is it before what does not show went. */

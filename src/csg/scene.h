@@ -71,6 +71,7 @@ struct csgcast_scene {
     struct csg_sharpness *sharpness; /* by object: what its geometry asks of numbers */
     struct csg_cells_store *cells; /* cells/: of objects, on demand */
     struct csg_box box;            /* of the model */
+    struct csg_box drawn;          /* of the model, % and # */
     struct csg_box written;        /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;
     struct csgcast_kind_count kinds[CSG_NUM_LEAF_KINDS];

@@ -62,7 +62,8 @@ void csg_face_color(const struct csg_colorscheme *scheme, const struct csg_leaf 
     const bool own = layer != CSG_LAYER_HIGHLIGHT;
     for (int i = 0; i < 4; i++)
         rgba[i] = own && leaf->color[i] >= 0 ? leaf->color[i] : fallback[i];
-    if (layer == CSG_LAYER_BACKGROUND)
+    const bool has_alpha = leaf->color[0] >= 0 || leaf->color[3] < 1;
+    if (layer == CSG_LAYER_BACKGROUND && !has_alpha)
         rgba[3] = csg_background_color[3];
 }
 

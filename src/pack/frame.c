@@ -276,8 +276,8 @@ static bool add_layer(struct packer *packer, uint8_t layer)
 static struct csg_box focus_of(const struct csgcast_scene *scene)
 {
     struct csg_box focus = csg_box_empty;
-    if (csg_box_is_finite(&scene->box))
-        return scene->box;
+    if (csg_box_is_finite(&scene->drawn))
+        return scene->drawn;
     for (size_t i = 0; i < scene->num_leaves; i++) {
         const struct csg_shape *shape = &scene->leaves[i].shape;
         if (scene->leaves[i].is_empty)
@@ -314,10 +314,10 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     struct packer packer = {.frame = frame, .scene = scene, .params = params};
     const struct csg_box focus = focus_of(scene);
     csg_screen_init(&frame->screen, params->frustum, params->width, params->height, &focus,
-                    csg_box_is_finite(&scene->box));
+                    csg_box_is_finite(&scene->drawn));
     frame->at = reference_pixel(&frame->screen, &focus);
     if (params->textbook) {
-        csg_screen_use_textbook(&frame->screen, &focus, csg_box_is_finite(&scene->box));
+        csg_screen_use_textbook(&frame->screen, &focus, csg_box_is_finite(&scene->drawn));
         frame->at = (struct csg_pixel){0.5 * params->width, 0.5 * params->height};
     }
     csg_screen_set_near(&frame->screen, csg_eye_near(scene, frame->screen.origin));

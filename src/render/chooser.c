@@ -351,7 +351,7 @@ static bool choose_rear(struct csg_chooser *chooser, const struct csg_draw *draw
 {
     enum csg_resolver resolver;
     const bool shows = draw->single && !is_for_cpu(chooser, draw) &&
-                       (draw->translucent || draw->paint != CSG_LAYER_MODEL);
+                       (draw->translucent || draw->paint == CSG_LAYER_HIGHLIGHT);
     *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
                                   CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
                   : 0;
