@@ -9,6 +9,7 @@
 #include "crowd/crowd.h"
 #include "csg/carrier.h"
 #include "csg/distribute.h"
+#include "csg/framing.h"
 #include "csg/object.h"
 #include "csg/own_faces.h"
 #include "csg/program.h"
@@ -55,27 +56,9 @@ void csg_scene_destroy(struct csgcast_scene *scene)
         csg_shape_finish(&scene->leaves[i].shape);
     free(scene->leaves);
     free(scene->handed_off.data);
+    free(scene->wholes.data);
     free(scene->name);
     free(scene);
-}
-
-/* OpenSCAD's viewall frames every solid that is not subtracted, without clipping intersections
- * (CSGProduct::getBoundingBox, 2021.01), % and # included. Its normaliser drops products whose
- * boxes do not overlap, as pruning has done here. */
-static void fill_written(struct csgcast_scene *scene)
-{
-    scene->written = csg_box_empty;
-    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
-        const struct csg_tree *tree = &scene->trees[layer];
-        for (size_t i = 0; i < tree->num; i++) {
-            if (tree->data[i].op != CSG_LEAF || tree->data[i].negated)
-                continue;
-            const struct csg_shape *shape = &scene->leaves[tree->data[i].leaf].shape;
-            const struct csg_box box = csg_box_map(&shape->frame, &shape->written);
-            if (csg_box_is_finite(&box))
-                scene->written = csg_box_union(&scene->written, &box);
-        }
-    }
 }
 
 /* A line meets each triangle of a surface once. */
@@ -177,7 +160,7 @@ static bool fill_boxes(struct csgcast_scene *scene)
 /* What the trees say of the scene, whatever of their structure is kept besides. */
 static bool fill_from_trees(struct csgcast_scene *scene)
 {
-    fill_written(scene);
+    csg_framing_start(scene);
     return fill_boxes(scene) && fill_tree_info(scene);
 }
 
@@ -228,7 +211,7 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     if (!scene->objects || !csg_objects_split(scene, scene->objects))
         return false;
     scene->carriers = csg_carriers_create(scene, before);
-    if (!scene->carriers || !csg_distribute(scene))
+    if (!scene->carriers || !csg_framing_finish(scene) || !csg_distribute(scene))
         return false;
     scene->plan = csg_plan_create(scene);
     scene->sharpness = csg_sharpness_create(scene);

@@ -39,6 +39,12 @@ struct csg_scene_ways {
     size_t num, capacity;
 };
 
+/* The leaves from begin on, below end, are in one render() node. */
+struct csg_whole {
+    uint32_t begin, end;
+    bool negated; /* the node is subtracted */
+};
+
 struct csg_objects;
 struct csg_carriers;
 struct csg_carriers_before;
@@ -62,6 +68,7 @@ struct csgcast_scene {
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];
     CSG_ARRAY(struct csg_handed_off_node) handed_off;
+    CSG_ARRAY(struct csg_whole) wholes; /* by leaf, see csg/framing.h */
 
     /* Filled by csg_scene_finish: */
     struct csg_objects *objects;   /* drawn one by one */

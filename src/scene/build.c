@@ -20,12 +20,17 @@ struct open {
     uint32_t num_operands;
     uint8_t role;
     bool negated;
+    bool is_whole;      /* in a render() node, */
+    bool whole_negated; /* ... which is complemented, */
+    uint32_t whole;     /* ... this one */
 };
 
 struct tree_builder {
     const struct csg_builder *builder;
     struct csg_tree *tree;
     CSG_ARRAY(struct open) open;
+    uint32_t whole; /* the render() node of the last leaf that was in one */
+    bool is_copy;   /* the layer of # */
 };
 
 static bool push_node(struct tree_builder *build, enum csg_op op, bool negated, uint32_t leaf)
@@ -35,11 +40,34 @@ static bool push_node(struct tree_builder *build, enum csg_op op, bool negated, 
     return csg_array_push(build->tree, node);
 }
 
+static const struct open *innermost(const struct tree_builder *build)
+{
+    return build->open.num > 0 ? &build->open.data[build->open.num - 1] : NULL;
+}
+
+/* Faces that are cut within a render() node are no cut faces. What is under # is in another layer
+ * besides. */
+static bool note_whole(struct tree_builder *build, uint32_t leaf, bool negated)
+{
+    struct csgcast_scene *scene = build->builder->scene;
+    const struct open *open = innermost(build);
+    if (!open || !open->is_whole || build->is_copy)
+        return true;
+    scene->leaves[leaf].is_hole = negated != open->whole_negated;
+    if (build->whole != open->whole || scene->wholes.num == 0) {
+        const struct csg_whole whole = {leaf, leaf + 1, open->whole_negated};
+        build->whole = open->whole;
+        return csg_array_push(&scene->wholes, whole);
+    }
+    scene->wholes.data[scene->wholes.num - 1].end = leaf + 1;
+    return true;
+}
+
 /* The empty set is an OR of nothing, its complement an AND of nothing. */
 static bool push_leaf(struct tree_builder *build, uint32_t leaf, bool negated)
 {
     if (leaf != CSG_NO_LEAF)
-        return push_node(build, CSG_LEAF, negated, leaf);
+        return note_whole(build, leaf, negated) && push_node(build, CSG_LEAF, negated, leaf);
     return push_node(build, negated ? CSG_AND : CSG_OR, false, 0);
 }
 
@@ -52,11 +80,13 @@ static bool push_part(struct tree_builder *build, uint32_t part, bool negated)
     for (uint32_t i = part; i < nodes[part].end && done; i++) {
         struct csg_node node = nodes[i];
         node.end = node.end - part + first;
-        if (node.op == CSG_LEAF)
+        if (node.op == CSG_LEAF) {
             node.negated = node.negated != negated;
-        else if (negated)
+            done = note_whole(build, node.leaf, node.negated);
+        } else if (negated) {
             node.op = node.op == CSG_OR ? CSG_AND : CSG_OR;
-        done = csg_array_push(build->tree, node);
+        }
+        done = done && csg_array_push(build->tree, node);
     }
     return done;
 }
@@ -64,12 +94,17 @@ static bool push_part(struct tree_builder *build, uint32_t part, bool negated)
 /* De Morgan: a negated union is an intersection of complements and the other way round. */
 static bool open_node(struct tree_builder *build, uint32_t node, bool negated)
 {
-    const uint8_t role = build->builder->meanings[node].role;
+    const struct csg_meaning *meaning = &build->builder->meanings[node];
+    const struct open *around = innermost(build);
+    const bool is_inside = around && around->is_whole;
     const struct open open = {.end = build->builder->document->nodes.data[node].end,
                               .node = (uint32_t)build->tree->num,
-                              .role = role,
-                              .negated = negated};
-    const bool is_or = (role == CSG_ROLE_UNION) != negated;
+                              .role = meaning->role,
+                              .negated = negated,
+                              .is_whole = is_inside || meaning->is_whole,
+                              .whole_negated = is_inside ? around->whole_negated : negated,
+                              .whole = is_inside ? around->whole : node};
+    const bool is_or = (meaning->role == CSG_ROLE_UNION) != negated;
     return push_node(build, is_or ? CSG_OR : CSG_AND, false, 0) &&
            csg_array_push(&build->open, open);
 }
@@ -187,7 +222,10 @@ static bool add_roots(struct tree_builder *build, const struct layer_rule *rule)
 static bool build_layer(const struct csg_builder *builder, const struct layer_rule *rule)
 {
     struct csg_tree *tree = &builder->scene->trees[rule->layer];
-    struct tree_builder build = {.builder = builder, .tree = tree};
+    struct tree_builder build = {.builder = builder,
+                                 .tree = tree,
+                                 .whole = UINT32_MAX,
+                                 .is_copy = rule->layer == CSG_LAYER_HIGHLIGHT};
     bool done = push_node(&build, CSG_OR, false, 0) && add_roots(&build, rule);
     free(build.open.data);
     if (!done)

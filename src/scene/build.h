@@ -25,6 +25,7 @@ struct csg_meaning {
     bool is_covered;    /* all of it is part of a highlighted subtree around it */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
     bool is_slab;       /* a drawing that no extrusion is around: csg_compound_slab draws it */
+    bool is_whole;      /* what is in it is of one colour, its cut faces too */
     bool is_misplaced;  /* two-dimensional among solids or the other way round: no operand */
     /* ROLE_SOLID: the index of its leaf; ROLE_COMPOUND: of its tree's root in the builder's parts;
      * CSG_NO_LEAF when it is empty. */

@@ -73,6 +73,7 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
         meaning.role = (uint8_t)ops->role;
         meaning.kind = (uint8_t)ops->kind;
         meaning.dimension = ops->dimension;
+        meaning.is_whole = ops->is_whole;
     } else {
         meaning.kind = (uint8_t)csg_solid_find(name, length);
         meaning.role = meaning.kind < CSG_NUM_KINDS ? CSG_ROLE_SOLID : CSG_ROLE_UNKNOWN;

@@ -45,6 +45,7 @@ struct csg_node_ops {
     uint8_t dimension;      /* 2 or 3; 0: that of what is in it */
     uint8_t wants;          /* 2 or 3: what must be in it; 0: of its own dimension */
     enum csg_kind kind;     /* COMPOUND: of its leaves */
+    bool is_whole;          /* what is in it is of one colour, its cut faces too */
     /* Changes the space of the children. false: a message was given. NULL: nothing to change. */
     bool (*enter)(const struct csg_args *args, struct csg_space *space);
     /* FIGURE: adds it to a drawing, see scene/figures.h. */

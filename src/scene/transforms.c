@@ -229,6 +229,13 @@ bool csg_enter_color(const struct csg_args *args, struct csg_space *space)
     return true;
 }
 
+bool csg_enter_render(const struct csg_args *args, struct csg_space *space)
+{
+    (void)args;
+    space->has_color = true;
+    return true;
+}
+
 double csg_space_rounding(const struct csg_space *space, const struct csg_box *box)
 {
     double largest = 0;

@@ -15,6 +15,9 @@ bool csg_enter_mirror(const struct csg_args *args, struct csg_space *space);
 /* The outermost colour whose four components are all >= 0 wins. */
 bool csg_enter_color(const struct csg_args *args, struct csg_space *space);
 
+/* OpenSCAD shows what is in it as one mesh: colours in it do not count. */
+bool csg_enter_render(const struct csg_args *args, struct csg_space *space);
+
 /* Bounds how far the map's error may move a point of the box; 0 for an unbounded box. */
 double csg_space_rounding(const struct csg_space *space, const struct csg_box *box);
 
