@@ -113,8 +113,9 @@ void csg_box_tree_finish(struct csg_box_tree *tree)
     *tree = (struct csg_box_tree){0};
 }
 
-static bool overlaps(const struct csg_box *a, const struct csg_box *b)
+static bool overlaps(const struct csg_box *a, const void *what)
 {
+    const struct csg_box *b = what;
     return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y &&
            a->lo.z <= b->hi.z && b->lo.z <= a->hi.z;
 }
@@ -125,8 +126,8 @@ static size_t end_of(const struct csg_box_tree *tree, int level)
     return level + 1 < tree->num_levels ? tree->begins[level + 1] : tree->begins[level] + 1;
 }
 
-bool csg_box_tree_find(const struct csg_box_tree *tree, const struct csg_box *around,
-                       struct csg_box_tree_list *items)
+bool csg_box_tree_visit(const struct csg_box_tree *tree, csg_box_test_fn *meets, const void *what,
+                        struct csg_box_tree_list *items)
 {
     struct {
         size_t box;
@@ -140,7 +141,7 @@ bool csg_box_tree_find(const struct csg_box_tree *tree, const struct csg_box *ar
     while (num > 0) {
         const size_t box = open[--num].box;
         const int level = open[num].level;
-        if (!overlaps(&tree->boxes[box], around))
+        if (!meets(&tree->boxes[box], what))
             continue;
         if (level == 0) {
             if (!csg_array_push(items, tree->items[box]))
@@ -154,4 +155,10 @@ bool csg_box_tree_find(const struct csg_box_tree *tree, const struct csg_box *ar
         }
     }
     return true;
+}
+
+bool csg_box_tree_find(const struct csg_box_tree *tree, const struct csg_box *around,
+                       struct csg_box_tree_list *items)
+{
+    return csg_box_tree_visit(tree, overlaps, around, items);
 }

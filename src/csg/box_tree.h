@@ -30,7 +30,14 @@ struct csg_box_tree_list {
     size_t num, capacity;
 };
 
-/* Appends the boxes that have a point in common with around. false: out of memory. */
+/* Whether what is looked for meets the box: where it meets one, it meets those around it. */
+typedef bool csg_box_test_fn(const struct csg_box *box, const void *what);
+
+/* Appends the boxes that it meets. false: out of memory. */
+bool csg_box_tree_visit(const struct csg_box_tree *tree, csg_box_test_fn *meets, const void *what,
+                        struct csg_box_tree_list *items);
+
+/* The same for those that have a point in common with around. */
 bool csg_box_tree_find(const struct csg_box_tree *tree, const struct csg_box *around,
                        struct csg_box_tree_list *items);
 

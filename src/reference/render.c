@@ -150,7 +150,7 @@ bool csg_reference_render(const struct csgcast_scene *scene,
                           const struct csg_reference_params *params,
                           const struct csg_reference_part *part, const struct csgcast_image *image)
 {
-    struct csg_tree_bounds bounds = {{NULL}};
+    struct csg_tree_bounds bounds = {.nodes = {NULL}};
     struct job job = {.scene = scene, .params = params, .part = part, .image = image};
     job.bounds = part->culls ? &bounds : NULL;
     job.near = near_of(scene, params);

@@ -22,11 +22,14 @@ struct event {
 struct visit {
     uint32_t node;
     bool is_missed;
+    size_t num; /* children that are visited, too */
 };
 
 struct csg_ray_scratch {
     const struct csg_tree_bounds *bounds; /* may be NULL */
     CSG_ARRAY(struct visit) visits;
+    CSG_ARRAY(uint32_t) nodes;      /* to visit, the next one last */
+    struct csg_box_tree_list found; /* children of a node */
     CSG_ARRAY(struct csg_crossing) pool;
     CSG_ARRAY(struct list) lists; /* of the operands that wait for their node */
     CSG_ARRAY(struct event) events;
@@ -47,6 +50,8 @@ void csg_ray_scratch_destroy(struct csg_ray_scratch *scratch)
     if (!scratch)
         return;
     free(scratch->visits.data);
+    free(scratch->nodes.data);
+    free(scratch->found.data);
     free(scratch->pool.data);
     free(scratch->lists.data);
     free(scratch->events.data);
@@ -175,24 +180,76 @@ static bool merge(struct csg_ray_scratch *scratch, bool all, size_t num)
     return csg_array_push(&scratch->lists, list);
 }
 
-/* The ray from there on; -INFINITY: the whole line. Widened a little: rounding here must not lose a
- * grazing hit. */
-static bool meets_box(const struct csg_box *box, const struct csg_ray *ray, double from)
+/* A ray, prepared for boxes. */
+struct slab_ray {
+    double org[3], inverse[3];
+    double from; /* what of it counts; -INFINITY: the whole line */
+};
+
+static struct slab_ray slab_ray(const struct csg_ray *ray, double from)
 {
+    return (struct slab_ray){{ray->org.x, ray->org.y, ray->org.z},
+                             {1 / ray->dir.x, 1 / ray->dir.y, 1 / ray->dir.z},
+                             from};
+}
+
+/* Widened a little: rounding here must not lose a grazing hit. */
+static bool meets_box(const struct csg_box *box, const void *what)
+{
+    const struct slab_ray *ray = what;
     const double lo[3] = {box->lo.x, box->lo.y, box->lo.z},
                  hi[3] = {box->hi.x, box->hi.y, box->hi.z};
-    const double org[3] = {ray->org.x, ray->org.y, ray->org.z};
-    const double dir[3] = {ray->dir.x, ray->dir.y, ray->dir.z};
-    double tnear = from, tfar = INFINITY;
+    double tnear = ray->from, tfar = INFINITY;
     for (int i = 0; i < 3; i++) {
-        const double margin = 1e-9 * (fabs(lo[i]) + fabs(hi[i]) + fabs(org[i]));
-        const double a = (lo[i] - margin - org[i]) / dir[i], b = (hi[i] + margin - org[i]) / dir[i];
-        if (dir[i] == 0 || isnan(a) || isnan(b))
+        const double margin = 1e-9 * (fabs(lo[i]) + fabs(hi[i]) + fabs(ray->org[i]));
+        const double a = (lo[i] - margin - ray->org[i]) * ray->inverse[i],
+                     b = (hi[i] + margin - ray->org[i]) * ray->inverse[i];
+        if (isinf(ray->inverse[i]) || isnan(a) || isnan(b))
             continue;
-        tnear = fmax(tnear, fmin(a, b));
-        tfar = fmin(tfar, fmax(a, b));
+        tnear = csg_most(tnear, csg_least(a, b));
+        tfar = csg_least(tfar, csg_most(a, b));
     }
     return tnear <= tfar * (tfar > 0 ? 1 + 1e-12 : 1 - 1e-12);
+}
+
+static int compare_descending(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return x > y ? -1 : x < y;
+}
+
+/* All children, the first one last. */
+static bool push_children(struct csg_ray_scratch *scratch, const struct csg_node *nodes,
+                          uint32_t node)
+{
+    const size_t first = scratch->nodes.num;
+    bool ok = true;
+    for (uint32_t child = node + 1; child < nodes[node].end && ok; child = nodes[child].end)
+        ok = csg_array_push(&scratch->nodes, child);
+    for (size_t i = first, j = scratch->nodes.num; ok && i + 1 < j; i++) {
+        const uint32_t child = scratch->nodes.data[--j];
+        scratch->nodes.data[j] = scratch->nodes.data[i];
+        scratch->nodes.data[i] = child;
+    }
+    return ok;
+}
+
+/* The same of a crowd, without those that the line misses and that do not matter then. */
+static bool push_crowd(struct csg_ray_scratch *scratch, const struct csg_child_crowd *crowd,
+                       const struct slab_ray *line)
+{
+    struct csg_box_tree_list *found = &scratch->found;
+    const size_t first = scratch->nodes.num;
+    found->num = 0;
+    bool ok = csg_box_tree_visit(&crowd->tree, meets_box, line, found);
+    for (size_t i = 0; i < found->num && ok; i++)
+        ok = csg_array_push(&scratch->nodes, crowd->children[found->data[i]]);
+    for (size_t i = 0; i < crowd->num_others && ok; i++)
+        ok = csg_array_push(&scratch->nodes, crowd->children[crowd->num + i]);
+    const size_t num = scratch->nodes.num - first;
+    if (ok && num > 1)
+        qsort(scratch->nodes.data + first, num, sizeof *scratch->nodes.data, compare_descending);
+    return ok;
 }
 
 /* The nodes that the line of the ray meets, in their order, each before what is below it. */
@@ -201,13 +258,20 @@ static bool find_visits(const struct csg_object *object, const struct csg_node *
 {
     const struct csg_tree_bounds *all = scratch->bounds;
     const struct csg_node_bounds *bounds = all ? all->nodes[object->layer] : NULL;
-    bool ok = true;
-    scratch->visits.num = 0;
-    for (uint32_t i = object->begin; i < object->end && ok;) {
+    const struct slab_ray line = slab_ray(ray, -INFINITY);
+    scratch->visits.num = scratch->nodes.num = 0;
+    bool ok = object->begin == object->end || csg_array_push(&scratch->nodes, object->begin);
+    while (scratch->nodes.num > 0 && ok) {
+        const uint32_t i = scratch->nodes.data[--scratch->nodes.num];
+        const size_t num = scratch->nodes.num;
         const struct csg_box *box = bounds ? &bounds[i].box : NULL;
-        const bool is_missed = box && (csg_box_is_empty(box) || !meets_box(box, ray, -INFINITY));
-        ok = csg_array_push(&scratch->visits, ((struct visit){i, is_missed}));
-        i = is_missed ? nodes[i].end : i + 1;
+        const bool is_missed = box && (csg_box_is_empty(box) || !meets_box(box, &line));
+        if (!is_missed && nodes[i].op != CSG_LEAF)
+            ok = bounds && bounds[i].crowd
+                     ? push_crowd(scratch, &all->crowds.data[bounds[i].crowd - 1], &line)
+                     : push_children(scratch, nodes, i);
+        ok = ok && csg_array_push(&scratch->visits,
+                                  ((struct visit){i, is_missed, scratch->nodes.num - num}));
     }
     return ok;
 }
@@ -216,15 +280,6 @@ static bool push_missed(struct csg_ray_scratch *scratch, uint8_t layer, uint32_t
 {
     const struct list list = {scratch->pool.num, scratch->bounds->nodes[layer][node].inside};
     return csg_array_push(&scratch->lists, list);
-}
-
-static bool merge_children(struct csg_ray_scratch *scratch, const struct csg_node *nodes,
-                           uint32_t node)
-{
-    size_t num = 0;
-    for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end)
-        num++;
-    return merge(scratch, nodes[node].op == CSG_AND, num);
 }
 
 static bool evaluate(const struct csgcast_scene *scene, const struct csg_object *object,
@@ -240,7 +295,7 @@ static bool evaluate(const struct csgcast_scene *scene, const struct csg_object 
         else if (nodes[visit.node].op == CSG_LEAF)
             ok = push_leaf(scratch, scene, &nodes[visit.node], ray);
         else
-            ok = merge_children(scratch, nodes, visit.node);
+            ok = merge(scratch, nodes[visit.node].op == CSG_AND, visit.num);
     }
     return ok;
 }
@@ -265,7 +320,8 @@ static bool try_object(const struct csgcast_scene *scene, const struct csg_objec
                        const struct csg_ray *ray, struct csg_ray_scratch *scratch,
                        struct best *best)
 {
-    if (!meets_box(&object->box, ray, ray->tnear))
+    const struct slab_ray line = slab_ray(ray, ray->tnear);
+    if (!meets_box(&object->box, &line))
         return true;
     if (!evaluate(scene, object, ray, scratch))
         return false;

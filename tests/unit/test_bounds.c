@@ -12,7 +12,7 @@
 #include "reference/bounds.h"
 #include "reference/reference.h"
 
-enum { NUM_SCENES = 60, NUM_RAYS = 1500, ROOM = 1 << 17 };
+enum { NUM_SCENES = 60, NUM_RAYS = 1500, ROOM = 1 << 19 };
 
 static unsigned long long state = 11;
 
@@ -56,7 +56,8 @@ static void put_tree(struct text *text, int depth)
         return;
     }
     put(text, ops[(int)between(0, 5)]);
-    for (int i = (int)between(2, 5); i > 0; i--)
+    const bool is_wide = depth == 1 && between(0, 1) < 0.1;
+    for (int i = (int)(is_wide ? between(40, 90) : between(2, 5)); i > 0; i--)
         put_tree(text, between(0, 1) < 0.3 ? 0 : depth - 1);
     put(text, "}\n");
 }
