@@ -34,7 +34,8 @@ void csg_pieces_finish(struct csg_pieces *pieces)
     *pieces = (struct csg_pieces){0};
 }
 
-struct csg_line csg_edge_line(const struct csg_sweep_edge *edge, bool inside_right)
+/* The line through an edge with the inside to its right (its x grows), or to its left. */
+static struct csg_line edge_line(const struct csg_sweep_edge *edge, bool inside_right)
 {
     const double x = edge->high.x - edge->low.x, y = edge->high.y - edge->low.y;
     const double length = hypot(x, y), sign = inside_right ? -1 : 1;
@@ -103,7 +104,7 @@ static bool add_side(struct cutter *cutter, const struct stack *stack, bool is_l
         if (is_new &&
             (!csg_array_push(&cutter->pieces->corners, corner) ||
              !csg_array_push(&cutter->pieces->lines,
-                             csg_edge_line(&cutter->sweep.edges.data[edges[i]], is_left))))
+                             edge_line(&cutter->sweep.edges.data[edges[i]], is_left))))
             return false;
     }
     const struct csg_vec2 top = {stack->high[is_left ? 0 : 1],

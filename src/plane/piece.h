@@ -30,7 +30,4 @@ void csg_pieces_finish(struct csg_pieces *pieces);
 enum csg_sweep_result csg_pieces_cut(struct csg_pieces *pieces, const struct csg_drawing *drawing,
                                      uint32_t node);
 
-/* The line through an edge with the inside to its right (its x grows), or to its left. */
-struct csg_line csg_edge_line(const struct csg_sweep_edge *edge, bool inside_right);
-
 #endif

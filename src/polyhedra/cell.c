@@ -198,7 +198,8 @@ bool csg_cell_split(const struct csg_cell *cell, const struct csg_plane *plane, 
     return ok;
 }
 
-bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double near)
+/* Keeps what is below the plane; an empty cell has no faces. false: out of memory. */
+static bool clip(struct csg_cell *cell, const struct csg_plane *plane, double near)
 {
     struct csg_cell below = {0}, above = {0};
     double lo, hi;
@@ -240,6 +241,6 @@ bool csg_cell_from_shape(struct csg_cell *cell, const struct csg_shape *shape)
     box.hi = csg_add(box.hi, csg_scale(0.5, size));
     bool ok = csg_cell_from_box(cell, &box);
     for (size_t i = 0; i < shape->num_planes && ok; i++)
-        ok = csg_cell_clip(cell, &shape->planes[i], near);
+        ok = clip(cell, &shape->planes[i], near);
     return ok;
 }

@@ -39,9 +39,6 @@ void csg_cell_range(const struct csg_cell *cell, const struct csg_plane *plane, 
 bool csg_cell_split(const struct csg_cell *cell, const struct csg_plane *plane, double near,
                     struct csg_cell *below, struct csg_cell *above);
 
-/* Keeps what is below the plane; an empty cell has no faces. false: out of memory. */
-bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double near);
-
 /* The cell of a bounded shape without a quadric. false: out of memory. */
 bool csg_cell_from_shape(struct csg_cell *cell, const struct csg_shape *shape);
 

@@ -25,10 +25,11 @@ static double nearest_to_middle(const int8_t q[4], struct csg_vec3 p, struct csg
     return dd > 0 ? -(w.x * p.x * d.x + w.y * p.y * d.y + w.z * p.z * d.z) / dd : 0;
 }
 
-/* f(p + t d) = a t^2 + 2 b t + c, from the point p of the line that is nearest: b is then small and
+/* Crossings in order, 0 to 2; *before: f < 0 (or, without crossings, everywhere).
+ * f(p + t d) = a t^2 + 2 b t + c, from the point p of the line that is nearest: b is then small and
  * c is not the difference of two large squares. */
-int csg_cross_quadric(const struct csg_quadric *quadric, const struct csg_ray *ray, double t[2],
-                      bool *before)
+static int cross_quadric(const struct csg_quadric *quadric, const struct csg_ray *ray, double t[2],
+                         bool *before)
 {
     const int8_t *q = quadric->diag;
     const struct csg_vec3 d = csg_map_direction(&quadric->to_canon, ray->dir);
@@ -109,9 +110,8 @@ struct csg_leaf_crossings csg_cross_leaf(const struct csgcast_scene *scene, uint
     }
     double t[2] = {0, 0};
     bool inside;
-    const int num =
-        csg_cross_quadric(csg_carrier_quadric(scene, scene->carriers, face.carrier), ray, t,
-                          &inside);
+    const int num = cross_quadric(csg_carrier_quadric(scene, scene->carriers, face.carrier), ray, t,
+                                  &inside);
     inside = inside != face.flipped;
     double from = -INFINITY;
     for (int i = 0; i <= num; i++, inside = !inside) {
@@ -146,7 +146,7 @@ struct csg_vec3 csg_leaf_normal(const struct csgcast_scene *scene, uint32_t leaf
     double roots[2];
     bool before;
     const struct csg_quadric *quadric = csg_carrier_quadric(scene, carriers, face.carrier);
-    const int num = csg_cross_quadric(quadric, ray, roots, &before);
+    const int num = cross_quadric(quadric, ray, roots, &before);
     for (int i = 0; i < num; i++)
         if (fabs(roots[i] - t) < nearest) {
             nearest = fabs(roots[i] - t);

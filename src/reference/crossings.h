@@ -25,10 +25,6 @@ struct csg_leaf_crossings {
 /* A carrier's crossing; *along is dot(normal, dir), 0 when the line runs along the plane. */
 double csg_cross_plane(const struct csg_plane *plane, const struct csg_ray *ray, double *along);
 
-/* A quadric's crossings in order, 0 to 2; *before: f < 0 (or, without crossings, everywhere). */
-int csg_cross_quadric(const struct csg_quadric *quadric, const struct csg_ray *ray, double t[2],
-                      bool *before);
-
 struct csg_leaf_crossings csg_cross_leaf(const struct csgcast_scene *scene, uint32_t leaf,
                                          const struct csg_ray *ray);
 

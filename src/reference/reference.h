@@ -47,9 +47,6 @@ struct csg_reference_params {
     int num_threads; /* see csg_parallel */
 };
 
-/* The ray of a pixel; row 0 is on top. */
-struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y);
-
 /* The pixels to cast: those of these rows that are wanted (called on any thread); NULL: all. */
 struct csg_reference_part {
     int first_row, num_rows;

@@ -25,7 +25,8 @@ static struct csg_vec3 combine(const struct csgcast_frustum *frustum, double x, 
     return csg_vec3(v[0], v[1], v[2]);
 }
 
-struct csg_ray csg_reference_ray(const struct csg_reference_params *params, int x, int y)
+/* Row 0 is on top. */
+static struct csg_ray ray_of_pixel(const struct csg_reference_params *params, int x, int y)
 {
     const struct csgcast_frustum *frustum = params->frustum;
     const double sx = ((x + 0.5) * 2 / params->width - 1) * frustum->half_width;
@@ -97,7 +98,7 @@ static void cast_pixel(const struct job *job, int x, int y, struct csg_ray_scrat
                        bool *failed)
 {
     const struct csgcast_image *image = job->image;
-    struct csg_ray ray = csg_reference_ray(job->params, x, y);
+    struct csg_ray ray = ray_of_pixel(job->params, x, y);
     ray.tnear = fmax(ray.tnear, job->near);
     const size_t index = (size_t)y * (size_t)job->params->width + (size_t)x;
     struct csg_hit hit = {.t = INFINITY};

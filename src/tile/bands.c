@@ -158,8 +158,9 @@ void csg_band_list_narrow(struct csg_band_list *list, const struct csg_terms *te
     finish_ranges(bands, ranges);
 }
 
-size_t csg_band_list_count(const struct csg_band_list *list, const struct csg_terms *terms,
-                           uint32_t stack)
+/* How many of them are of that stack. */
+static size_t count_bands(const struct csg_band_list *list, const struct csg_terms *terms,
+                          uint32_t stack)
 {
     size_t num = 0;
     for (size_t i = 0; i < list->num; i++)
@@ -206,7 +207,7 @@ bool csg_band_list_put(const struct csg_band_list *list, struct csg_terms *terms
 {
     const struct csg_bands *bands = bands_of(terms);
     const uint32_t stack = step->leaf - (uint32_t)terms->scene->num_leaves;
-    const size_t num = csg_band_list_count(list, terms, stack);
+    const size_t num = count_bands(list, terms, stack);
     const size_t most = CSG_BAND_TERMS + (size_t)2 * (2 + CSG_QUADRIC_TEXELS);
     float *header = csg_frame_add_texels(terms->frame, CSG_BAND_FIRST + num * most);
     size_t num_flat = 0;

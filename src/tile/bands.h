@@ -25,10 +25,6 @@ bool csg_band_list_copy(const struct csg_band_list *list, struct csg_band_list *
 void csg_band_list_narrow(struct csg_band_list *list, const struct csg_terms *terms,
                           const struct csg_tile_box *tile, struct csg_leaf_range *ranges);
 
-/* How many of them are of that stack. */
-size_t csg_band_list_count(const struct csg_band_list *list, const struct csg_terms *terms,
-                           uint32_t stack);
-
 /* Appends a stack's record, with the bands of the list, to the frame. false: out of memory. */
 bool csg_band_list_put(const struct csg_band_list *list, struct csg_terms *terms,
                        const struct csg_step *step, const struct csg_tile_box *tile);
