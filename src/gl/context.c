@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "gl/platform.h"
+#include "gl/turns.h"
 
 /* glGetError returns one flag at a time, and on a lost context the same one for ever. */
 enum { MAX_ERRORS = 8 };
@@ -71,6 +72,8 @@ static bool init_version(struct csg_gl_context *context, const char *where,
     snprintf(context->name, sizeof context->name, "%s: %.200s, %d.%d core", gl->platform->name,
              renderer ? renderer : "unknown", major, minor);
     gl->name = context->name;
+    context->is_software = strstr(context->name, "llvmpipe") ||
+                           strstr(context->name, "softpipe") || strstr(context->name, "swrast");
     gl->has_double = (major >= 4 || has_extension(gl, "GL_ARB_gpu_shader_fp64")) &&
                      !getenv("CSGCAST_NO_DOUBLE");
     gl->has_pack_invert = has_extension(gl, "GL_MESA_pack_invert");
@@ -132,9 +135,11 @@ struct csg_gl *csg_gl_create(enum csgcast_backend backend, const struct csg_log 
     }
     struct csg_gl_report report = {0};
     struct csg_gl_context *context = NULL;
+    csg_gl_turn_begin();
     for (int i = 0; i < NUM_PLATFORMS && !context; i++)
         if (is_wanted(platforms[i], backend))
             context = platforms[i]->create(log, &report);
+    csg_gl_turn_end();
     if (context)
         return &context->gl;
     add_remedy(&report, backend);
@@ -148,10 +153,18 @@ void csg_gl_destroy(struct csg_gl *gl)
         return;
     struct csg_gl_context *context = (struct csg_gl_context *)gl;
     assert(context->depth == 0);
+    csg_gl_turn_begin();
     gl->platform->destroy(context);
+    csg_gl_turn_end();
 }
 
 /* ---- enter and leave ---- */
+
+static void end_turn(const struct csg_gl_context *context)
+{
+    if (context->is_software)
+        csg_gl_turn_end();
+}
 
 /* Enters of the same context nest: only the outermost one makes it current. */
 bool csg_gl_enter(struct csg_gl *gl)
@@ -159,11 +172,14 @@ bool csg_gl_enter(struct csg_gl *gl)
     struct csg_gl_context *context = (struct csg_gl_context *)gl;
     if (context->depth++ > 0)
         return true;
+    if (context->is_software)
+        csg_gl_turn_begin();
     csg_gl_current_save(&context->saved);
     if (gl->platform->bind(context))
         return true;
     csg_gl_current_restore(&context->saved);
     context->depth = 0;
+    end_turn(context);
     csg_log_error(&gl->log, CSGCAST_MESSAGE_CONTEXT,
                   "%s: the context cannot be made current; is it in use by another thread?",
                   gl->name);
@@ -211,5 +227,6 @@ bool csg_gl_leave(struct csg_gl *gl)
         return ok;
     gl->platform->unbind(context);
     csg_gl_current_restore(&context->saved);
+    end_turn(context);
     return ok;
 }

@@ -141,20 +141,14 @@ static bool is_software_device(const struct search *search, EGLint index)
     return has_word(extensions, "EGL_MESA_device_software");
 }
 
-/* A display controller without a GPU is a device of hardware whose driver is software. */
-static bool is_software_context(const struct csg_gl_context *context)
-{
-    return strstr(context->name, "llvmpipe") || strstr(context->name, "softpipe") ||
-           strstr(context->name, "swrast");
-}
-
 static struct csg_gl_context *create_on_gpu(const struct search *search)
 {
     for (EGLint i = 0; i < search->num_devices; i++) {
         if (is_software_device(search, i))
             continue;
         struct csg_gl_context *context = create_on_device(search, i);
-        if (context && !is_software_context(context))
+        /* A display controller without a GPU is a device of hardware whose driver is software. */
+        if (context && !context->is_software)
             return context;
         if (context)
             destroy(context);

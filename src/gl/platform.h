@@ -20,6 +20,7 @@ void csg_gl_report_add(struct csg_gl_report *report, const char *format, ...) CS
 struct csg_gl_context {
     struct csg_gl gl;
     char name[256];
+    bool is_software;            /* contexts of llvmpipe take turns */
     int depth;                   /* enters without a leave */
     struct csg_gl_current saved; /* what was current before the first of them */
 };
