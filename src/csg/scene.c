@@ -235,12 +235,12 @@ bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_carriers_bef
 
 void csgcast_scene_get_info(const struct csgcast_scene *scene, struct csgcast_scene_info *info)
 {
-    *info = scene->info;
+    *info = scene ? scene->info : (struct csgcast_scene_info){0};
 }
 
 bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, double lo[3], double hi[3])
 {
-    const struct csg_box *box = &scene->box;
+    const struct csg_box *box = scene ? &scene->box : &csg_box_empty;
     if (csg_box_is_empty(box))
         return false;
     lo[0] = box->lo.x, lo[1] = box->lo.y, lo[2] = box->lo.z;

@@ -68,6 +68,8 @@ bool csgcast_export(const char *path, const struct csgcast_scene *scene,
                     const struct csgcast_view *view, const char *format)
 {
     static const struct csgcast_view default_view;
+    if (!scene)
+        return false;
     struct job job = {.scene = scene, .view = view ? view : &default_view};
     const struct csg_log *log = &scene->log;
     job.scheme = csg_colorscheme_find(job.view->colorscheme);

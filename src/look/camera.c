@@ -123,6 +123,11 @@ static struct csgcast_camera wanted_camera(const struct csgcast_scene *scene,
 bool csgcast_view_resolve(const struct csgcast_scene *scene, const struct csgcast_view *view,
                           struct csgcast_frustum *frustum)
 {
+    static const struct csgcast_view default_view;
+    if (!scene)
+        return false;
+    if (!view)
+        view = &default_view;
     const struct csgcast_camera camera = wanted_camera(scene, &view->camera);
     const int width = view->width ? view->width : 512, height = view->height ? view->height : 512;
     const double fov = camera.fov != 0 ? camera.fov : DEFAULT_FOV;

@@ -88,7 +88,7 @@ void csgcast_renderer_destroy(struct csgcast_renderer *renderer)
 
 const char *csgcast_renderer_name(const struct csgcast_renderer *renderer)
 {
-    if (renderer->start)
+    if (!renderer || renderer->start)
         return "not ready yet";
     return renderer->gl ? renderer->gl->name : "reference: double precision, no OpenGL";
 }
@@ -187,11 +187,13 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
                     const struct csgcast_view *view, const struct csgcast_image *image)
 {
     static const struct csgcast_view default_view;
-    if (!is_ready(renderer))
+    static const struct csgcast_image no_image;
+    if (!renderer || !scene || !is_ready(renderer))
         return false;
     const double start = csg_clock_ms();
     struct csg_request request = {.scene = scene, .view = view ? view : &default_view,
-                                  .tile_size = renderer->tile_size, .image = image};
+                                  .tile_size = renderer->tile_size,
+                                  .image = image ? image : &no_image};
     if (!resolve_request(renderer, &request))
         return false;
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
@@ -200,7 +202,7 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
         request.view->cut_color, renderer->num_threads};
     const struct csg_reference_part whole = {.num_rows = request.height};
     const bool ok = renderer->gl ? render_with_gl(renderer, &request)
-                                 : csg_reference_render(scene, &params, &whole, image) ||
+                                 : csg_reference_render(scene, &params, &whole, request.image) ||
                                        csg_log_memory(&renderer->log);
     if (!renderer->gl)
         memcpy(renderer->stats.variants, "reference", sizeof "reference");
@@ -213,5 +215,5 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
 void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
                                 struct csgcast_stats *stats)
 {
-    *stats = renderer->stats;
+    *stats = renderer ? renderer->stats : (struct csgcast_stats){0};
 }

@@ -61,6 +61,8 @@ struct csgcast_animation *csgcast_animation_load(const char *path, int num_frame
 
 struct csgcast_scene *csgcast_animation_scene(const struct csgcast_animation *animation, int frame)
 {
+    if (!animation)
+        return NULL;
     const struct csgcast_scene_params *params = &animation->source->params;
     const struct csg_log log = {params->log, params->log_user};
     if (frame < 0 || (size_t)frame >= animation->flattened.num_frames) {

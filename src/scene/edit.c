@@ -17,7 +17,7 @@ struct session {
 
 size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene)
 {
-    return scene->num_leaves;
+    return scene ? scene->num_leaves : 0;
 }
 
 static bool has_leaf(const struct csgcast_scene *scene, size_t leaf)
@@ -38,7 +38,7 @@ static void copy_matrix(const struct csg_map *map, double matrix[16])
 
 bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t index, struct csgcast_leaf *info)
 {
-    if (!has_leaf(scene, index) || !csg_edits_of(scene))
+    if (!scene || !has_leaf(scene, index) || !csg_edits_of(scene))
         return false;
     const struct csg_leaf *leaf = &scene->leaves[index];
     const struct csg_origin *origin = &scene->edits->origins.data[index];
@@ -160,7 +160,7 @@ bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *
                         size_t num_edits)
 {
     struct session session = {.scene = scene};
-    bool ok = csg_edits_of(scene) != NULL;
+    bool ok = scene && csg_edits_of(scene);
     for (size_t i = 0; i < num_edits && ok; i++)
         ok = add_edit(&session, &edits[i]);
     ok = ok && commit(&session);

@@ -154,6 +154,10 @@ struct csgcast_scene *csgcast_scene_parse(const char *text, size_t size,
 {
     const struct csgcast_scene_params *used = params ? params : &default_params;
     const struct csg_log log = {used->log, used->log_user};
+    if (!text && size > 0) {
+        csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a text");
+        return NULL;
+    }
     char *copy = malloc(size + 1);
     if (!copy) {
         csg_log_memory(&log);

@@ -19,13 +19,17 @@
  * and NULL mean the documented default.
  *
  * Failure: functions return NULL or false and report the reason through the log callback (standard
- * error when there is none). The library never exits, aborts or keeps global state.
+ * error when there is none). The library never exits, aborts or keeps global state. What a failed
+ * call returned may be given to the next one: NULL in place of a scene, a renderer or an animation
+ * makes it fail as well, without another message, and is destroyed without harm.
  *
  * Threads: a scene is immutable while it is rendered and may be read by several renderers at once.
  * Who edits it (csgcast_scene_edit and its kin, csgcast_scene_get_leaf) must be alone with it.
  * A renderer belongs to one thread at a time. It makes its own context current during a call and
- * restores what was current before. With EGL a process has one display per device: a program that
- * calls eglTerminate for one of Mesa's surfaceless platform destroys its renderers before.
+ * restores what was current before. Renderers that draw in software take turns, since Mesa's does
+ * not hold two threads; a log callback must not wait for another thread's renderer. With EGL a
+ * process has one display per device: a program that calls eglTerminate for one of Mesa's
+ * surfaceless platform destroys its renderers before.
  */
 
 #include <stdbool.h>
