@@ -9,16 +9,16 @@
 /* Smaller objects are drawn in tiles whatever they are. */
 #define MIN_CELL_LEAVES 200
 
-/* Solids a pixel is tested against in tiles, from which on cells are faster; in bunches, and else.
- */
+/* Solids a pixel is tested against in tiles, from which on cells are faster: in bunches, in rows of
+ * solids, and in nested trees, which need a stack. */
 #define MAX_TESTS_BUNCHED 3.0
-#define MAX_TESTS 6.0
+#define MAX_TESTS_ROW 6.0
+#define MAX_TESTS_NESTED 13.0
 
 /* Shares of that: few, so that cells are certainly no faster, and many: they certainly are. */
 #define FEW_TESTS 0.7
 #define MANY_TESTS 8.0
 
-/* Rows of solids only: the stack that nested trees need makes cells slower than tiles. */
 static bool is_nested(const struct csg_terms *terms, const struct csg_object *object)
 {
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
@@ -34,11 +34,13 @@ static bool find_spared(const struct csg_terms *terms, const struct csg_object *
 {
     bool quadrics;
     const bool bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
-    const double most = bunched ? MAX_TESTS_BUNCHED : MAX_TESTS;
+    const double most = bunched                    ? MAX_TESTS_BUNCHED
+                        : is_nested(terms, object) ? MAX_TESTS_NESTED
+                                                   : MAX_TESTS_ROW;
     const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     double tests;
     *spared = 0;
-    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num || is_nested(terms, object))
+    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num)
         return true;
     draw->may_walk = true;
     draw->bunched = bunched;
