@@ -169,13 +169,16 @@ static bool is_model_root(const struct csg_builder *builder, uint32_t node)
 
 static bool is_background(const struct csg_builder *builder, uint32_t node)
 {
-    return (builder->document->nodes.data[node].modifiers & CSG_MODIFIER_BACKGROUND) != 0;
+    const uint8_t modifiers = builder->document->nodes.data[node].modifiers;
+    return (modifiers & CSG_MODIFIER_BACKGROUND) != 0 && !builder->meanings[node].is_unmarked;
 }
 
 static bool is_highlight(const struct csg_builder *builder, uint32_t node)
 {
     const uint8_t modifiers = builder->document->nodes.data[node].modifiers;
-    return (modifiers & CSG_MODIFIER_HIGHLIGHT) != 0 && !builder->meanings[node].is_covered;
+    const struct csg_meaning *meaning = &builder->meanings[node];
+    return (modifiers & CSG_MODIFIER_HIGHLIGHT) != 0 && !meaning->is_covered &&
+           !meaning->is_unmarked;
 }
 
 struct layer_rule {

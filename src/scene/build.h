@@ -23,6 +23,7 @@ struct csg_meaning {
     uint8_t kind;       /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
     uint8_t dimension;  /* 2 or 3; 0: nothing in it says */
     bool is_covered;    /* all of it is part of a highlighted subtree around it */
+    bool is_unmarked;   /* directly in a render() node, where # and % show nothing */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
     bool is_slab;       /* a drawing that no extrusion is around: csg_compound_slab draws it */
     bool is_whole;      /* what is in it is of one colour, its cut faces too */

@@ -190,6 +190,34 @@ static bool add_tree(struct walk *walk, uint32_t node, const struct csg_part *pa
     return true;
 }
 
+static bool is_along_axes(const struct csg_map *map)
+{
+    for (int i = 0; i < 3; i++)
+        if ((map->m[i][0] != 0) + (map->m[i][1] != 0) + (map->m[i][2] != 0) > 1)
+            return false;
+    return true;
+}
+
+/* OpenSCAD's viewall frames a node's box in the node's own space: each shape gets all of it. */
+static void frame_together(struct csg_part *part)
+{
+    struct csg_box box = csg_box_empty;
+    for (size_t i = 0; i < part->tree.num; i++) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op != CSG_LEAF || node->negated)
+            continue;
+        const struct csg_shape *shape = &part->shapes.data[node->leaf];
+        const struct csg_box own = csg_box_map(&shape->frame, &shape->written);
+        box = csg_box_union(&box, &own);
+    }
+    for (size_t i = 0; i < part->shapes.num && csg_box_is_finite(&box); i++) {
+        struct csg_shape *shape = &part->shapes.data[i];
+        struct csg_map inverse;
+        if (is_along_axes(&shape->frame) && csg_map_invert(&shape->frame, &inverse))
+            shape->written = csg_box_map(&inverse, &box);
+    }
+}
+
 static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *space,
                      struct csg_part *part)
 {
@@ -197,6 +225,7 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
     if (!index)
         return csg_log_memory(&walk->builder->report->log);
     const uint32_t first = (uint32_t)walk->builder->scene->num_leaves;
+    frame_together(part);
     const bool done = add_shapes(walk, node, space, part, index) &&
                       add_tree(walk, node, part, index) && finish_origins(walk, node, first);
     free(index);

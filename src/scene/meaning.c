@@ -113,6 +113,8 @@ static void cover_children(struct csg_builder *builder, uint32_t node)
         (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
     for (uint32_t i = node + 1; is_covering && i < nodes[node].end; i = nodes[i].end)
         builder->meanings[i].is_covered = !csg_is_left_out(builder, i);
+    for (uint32_t i = node + 1; meaning->is_whole && i < nodes[node].end; i = nodes[i].end)
+        builder->meanings[i].is_unmarked = true;
 }
 
 /* Returns the node to go on with: the next in the text, or the one behind this subtree. */
@@ -120,9 +122,10 @@ static uint32_t assign_meaning(struct csg_builder *builder, uint32_t node)
 {
     const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
     struct csg_meaning *meaning = &builder->meanings[node];
-    const bool is_covered = meaning->is_covered;
+    const bool is_covered = meaning->is_covered, is_unmarked = meaning->is_unmarked;
     *meaning = meaning_of(builder, node);
     meaning->is_covered = is_covered;
+    meaning->is_unmarked = is_unmarked;
     if (meaning->role == CSG_ROLE_UNSUPPORTED && meaning->dimension == 0 &&
         parsed->name_length == 6 && memcmp(name_of(builder, node), "import", 6) == 0)
         classify_import(builder, node, meaning);

@@ -22,3 +22,11 @@ translate([0, 25, 0]) render() intersection() {
     translate([-50, -50, -3]) cube(100);
     cube([12, 12, 20], center = true);
 }
+translate([30, 25, 0]) rotate([0, 0, 30]) linear_extrude(5) {
+    circle(6);
+    translate([14, 0]) circle(4);
+}
+translate([0, 50, 0]) render() {
+    #cube(6);
+    %translate([0, 0, 10]) cube(6);
+}
