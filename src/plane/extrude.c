@@ -71,14 +71,37 @@ static bool add_surface(struct extruder *extruder, uint32_t node, bool negated, 
     return *taken ? csg_part_add(extruder->part, &shape, negated) : result == CSG_PRISM_NONE;
 }
 
+/* An outline has no fewer convex pieces than that: at each corner that turns to the right a side of
+ * pieces begins, which may end at another one, and to cut a ring open takes one more. */
+static size_t least_pieces(const struct csg_drawing *drawing, const struct csg_figure *figure)
+{
+    size_t num_right = 0, num_holes = 0;
+    for (uint32_t i = figure->begin; i < figure->end && figure->is_outline; i++) {
+        const struct csg_contour *contour = &drawing->contours.data[i];
+        const struct csg_vec2 *p = &drawing->points.data[contour->begin];
+        const uint32_t num = contour->end - contour->begin;
+        for (uint32_t j = 0; j < num; j++) {
+            const struct csg_vec2 a = p[(j + num - 1) % num], b = p[j], c = p[(j + 1) % num];
+            num_right += (b.x - a.x) * (c.y - b.y) < (b.y - a.y) * (c.x - b.x);
+        }
+        num_holes += csg_contour_twice_area(drawing, contour) < 0;
+    }
+    return num_right / 2 > num_holes ? num_right / 2 - num_holes : 0;
+}
+
 /* A union of pieces, or, negated, what is in none of them. */
 static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
 {
     const struct csg_figure *figure =
         &extruder->drawing->figures.data[extruder->drawing->nodes.data[node].figure];
     struct csg_pieces pieces = {0};
+    bool ok = true, taken = false;
+    if (extruder->surfaces && least_pieces(extruder->drawing, figure) > MAX_PIECES)
+        ok = add_surface(extruder, node, negated, &taken);
+    if (!ok || taken)
+        return ok;
     const enum csg_sweep_result result = csg_pieces_cut(&pieces, extruder->drawing, node);
-    bool ok = result == CSG_SWEEP_DONE, taken = false;
+    ok = result == CSG_SWEEP_DONE;
     extruder->too_large |= result == CSG_SWEEP_TOO_LARGE;
     if (ok && extruder->surfaces && pieces.pieces.num > MAX_PIECES)
         ok = add_surface(extruder, node, negated, &taken);

@@ -15,6 +15,8 @@ static bool copy_figure(struct csg_drawing *copy, const struct csg_drawing *draw
         for (uint32_t j = contour->begin; j < contour->end && ok; j++)
             ok = csg_drawing_add_point(copy, drawing->points.data[j].x, drawing->points.data[j].y);
     }
+    if (ok)
+        copy->figures.data[0].is_outline = figure->is_outline;
     return ok;
 }
 

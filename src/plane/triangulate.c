@@ -18,17 +18,19 @@ struct hole {
     double x, y;
 };
 
-/* A corner of the ring that is cut, by its place along the longer side of the ring's box. */
-struct place {
-    double at;
-    uint32_t corner;
+/* The corners of the ring that is cut by the cells of its box in which they are, about as many
+ * cells as corners. */
+struct grid {
+    struct csg_vec2 lo, scale; /* cells a unit */
+    uint32_t num[2];           /* cells along x and y */
+    CSG_ARRAY(uint32_t) first; /* by cell, row by row: its first corner in the list, */
+    CSG_ARRAY(uint32_t) list;  /* which has some that were cut lately */
 };
 
 struct triangulation {
     CSG_ARRAY(struct corner) corners;
     CSG_ARRAY(struct hole) holes;
-    CSG_ARRAY(struct place) places; /* sorted; with those that were cut lately */
-    bool upright;                   /* places are along y */
+    struct grid grid;
     struct csg_triangles *triangles;
 };
 
@@ -236,66 +238,77 @@ static bool is_in_the_way(const struct triangulation *t, uint32_t k, struct csg_
     return is_in_triangle(a, b, c, p) && turn_at(t, k) <= 0;
 }
 
-static double place_of(const struct triangulation *t, struct csg_vec2 p)
+static uint32_t column_of(const struct grid *grid, double x)
 {
-    return t->upright ? p.y : p.x;
+    return (uint32_t)fmin((x - grid->lo.x) * grid->scale.x, grid->num[0] - 1);
 }
 
-static int compare_places(const void *a, const void *b)
+static uint32_t row_of(const struct grid *grid, double y)
 {
-    const struct place *x = a, *y = b;
-    if (x->at != y->at)
-        return x->at < y->at ? -1 : 1;
-    return x->corner < y->corner ? -1 : x->corner > y->corner;
+    return (uint32_t)fmin((y - grid->lo.y) * grid->scale.y, grid->num[1] - 1);
 }
 
-/* Sorts the corners of the ring, so that an ear is compared with those beside it only. */
-static bool fill_places(struct triangulation *t, uint32_t first)
+static uint32_t *first_of(struct grid *grid, struct csg_vec2 p)
 {
-    double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+    return &grid->first.data[row_of(grid, p.y) * grid->num[0] + column_of(grid, p.x)];
+}
+
+/* Cells about as wide as high, for num corners between lo and hi. */
+static bool shape_grid(struct grid *grid, struct csg_vec2 lo, struct csg_vec2 hi, uint32_t num)
+{
+    const double width = hi.x - lo.x, height = hi.y - lo.y;
+    const double columns = sqrt(num * (width / height));
+    grid->lo = lo;
+    grid->num[0] = (uint32_t)fmax(fmin(columns, num), 1);
+    grid->num[1] = num / grid->num[0] + 1;
+    grid->scale.x = width > 0 ? grid->num[0] / width : 0;
+    grid->scale.y = height > 0 ? grid->num[1] / height : 0;
+    grid->first.num = grid->list.num = 0;
+    bool ok = true;
+    for (uint32_t i = 0; i < grid->num[0] * grid->num[1] + 1 && ok; i++)
+        ok = csg_array_push(&grid->first, 0);
+    for (uint32_t i = 0; i < num && ok; i++)
+        ok = csg_array_push(&grid->list, 0);
+    return ok;
+}
+
+/* Sorts the num corners of the ring into cells, so that an ear is compared with those beside it
+ * only: a counting sort. */
+static bool fill_grid(struct triangulation *t, uint32_t first, uint32_t num)
+{
+    struct grid *grid = &t->grid;
+    struct csg_vec2 lo = {INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY};
     uint32_t i = first;
-    t->places.num = 0;
-    do {
+    for (uint32_t k = 0; k < num; k++, i = corner_of(t, i)->after) {
         const struct csg_vec2 p = corner_of(t, i)->at;
-        lo[0] = fmin(lo[0], p.x);
-        hi[0] = fmax(hi[0], p.x);
-        lo[1] = fmin(lo[1], p.y);
-        hi[1] = fmax(hi[1], p.y);
-        if (!csg_array_push(&t->places, ((struct place){0, i})))
-            return false;
-        i = corner_of(t, i)->after;
-    } while (i != first);
-    t->upright = hi[1] - lo[1] > hi[0] - lo[0];
-    for (size_t k = 0; k < t->places.num; k++)
-        t->places.data[k].at = place_of(t, corner_of(t, t->places.data[k].corner)->at);
-    qsort(t->places.data, t->places.num, sizeof *t->places.data, compare_places);
+        lo = (struct csg_vec2){fmin(lo.x, p.x), fmin(lo.y, p.y)};
+        hi = (struct csg_vec2){fmax(hi.x, p.x), fmax(hi.y, p.y)};
+    }
+    if (!shape_grid(grid, lo, hi, num))
+        return false;
+    for (uint32_t k = 0; k < num; k++, i = corner_of(t, i)->after)
+        ++*first_of(grid, corner_of(t, i)->at);
+    for (size_t k = 1; k < grid->first.num; k++)
+        grid->first.data[k] += grid->first.data[k - 1];
+    for (uint32_t k = 0; k < num; k++, i = corner_of(t, i)->after)
+        grid->list.data[--*first_of(grid, corner_of(t, i)->at)] = i;
     return true;
 }
 
-/* Leaves out the corners that were cut, once they are the most. */
-static void drop_cut_places(struct triangulation *t, uint32_t left)
+/* Whether a corner of the cells [begin, end), in one row, keeps the triangle at i from being an
+ * ear. */
+static bool is_row_in_the_way(const struct triangulation *t, uint32_t begin, uint32_t end,
+                              uint32_t i)
 {
-    size_t num = 0;
-    if (t->places.num < 2 * (size_t)left)
-        return;
-    for (size_t i = 0; i < t->places.num; i++)
-        if (!corner_of(t, t->places.data[i].corner)->is_cut)
-            t->places.data[num++] = t->places.data[i];
-    t->places.num = num;
-}
-
-/* The first place at or after `at`. */
-static size_t find_place(const struct triangulation *t, double at)
-{
-    size_t lo = 0, hi = t->places.num;
-    while (lo < hi) {
-        const size_t middle = lo + (hi - lo) / 2;
-        if (t->places.data[middle].at < at)
-            lo = middle + 1;
-        else
-            hi = middle;
+    const struct corner *b = corner_of(t, i);
+    const struct corner *a = corner_of(t, b->before), *c = corner_of(t, b->after);
+    for (uint32_t k = t->grid.first.data[begin]; k < t->grid.first.data[end]; k++) {
+        const uint32_t other = t->grid.list.data[k];
+        const bool is_own = other == i || other == b->before || other == b->after;
+        if (!is_own && !corner_of(t, other)->is_cut && is_in_the_way(t, other, a->at, b->at, c->at))
+            return true;
     }
-    return lo;
+    return false;
 }
 
 static bool is_ear(const struct triangulation *t, uint32_t i)
@@ -305,18 +318,13 @@ static bool is_ear(const struct triangulation *t, uint32_t i)
     const long double angle = turn(a->at, b->at, c->at);
     if (angle <= 0)
         return angle == 0; /* a corner that is straight or a spike goes at once */
-    const double x = place_of(t, a->at), y = place_of(t, b->at), z = place_of(t, c->at);
-    const double end = fmax(fmax(x, y), z);
-    for (size_t k = find_place(t, fmin(fmin(x, y), z)); k < t->places.num; k++) {
-        const struct place *place = &t->places.data[k];
-        if (place->at > end)
-            break;
-        const bool is_own =
-            place->corner == i || place->corner == b->before || place->corner == b->after;
-        if (!is_own && !corner_of(t, place->corner)->is_cut &&
-            is_in_the_way(t, place->corner, a->at, b->at, c->at))
+    const struct grid *grid = &t->grid;
+    const uint32_t begin = column_of(grid, fmin(fmin(a->at.x, b->at.x), c->at.x));
+    const uint32_t end = column_of(grid, fmax(fmax(a->at.x, b->at.x), c->at.x)) + 1;
+    const uint32_t top = row_of(grid, fmax(fmax(a->at.y, b->at.y), c->at.y));
+    for (uint32_t row = row_of(grid, fmin(fmin(a->at.y, b->at.y), c->at.y)); row <= top; row++)
+        if (is_row_in_the_way(t, row * grid->num[0] + begin, row * grid->num[0] + end, i))
             return false;
-    }
     return true;
 }
 
@@ -348,9 +356,10 @@ static uint32_t count_ring(const struct triangulation *t, uint32_t first)
 static bool cut_ring(struct triangulation *t, uint32_t first)
 {
     uint32_t num = count_ring(t, first), i = first, tried = 0;
-    bool ok = fill_places(t, first);
+    bool ok = fill_grid(t, first, num);
     while (num > 2 && ok) {
-        drop_cut_places(t, num);
+        if (t->grid.list.num >= 2 * (size_t)num && !fill_grid(t, i, num))
+            return false;
         const uint32_t after = corner_of(t, i)->after;
         if (num == 3 || is_ear(t, i) || tried > 2 * num || (tried > num && turn_at(t, i) > 0)) {
             ok = cut_corner(t, i);
@@ -380,6 +389,7 @@ bool csg_figure_triangulate(const struct csg_drawing *drawing, const struct csg_
             ok = cut_ring(&t, i);
     free(t.corners.data);
     free(t.holes.data);
-    free(t.places.data);
+    free(t.grid.first.data);
+    free(t.grid.list.data);
     return ok;
 }
