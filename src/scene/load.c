@@ -80,7 +80,7 @@ static struct csgcast_scene *read_document(const char *text, size_t size,
     struct csg_handoff handoff;
     struct csgcast_scene *scene = NULL;
     csg_handoff_init(&handoff, params, &document);
-    if (csg_document_parse(&document, size > 0 ? text : "", size, report))
+    if (csg_document_parse(&document, size > 0 ? text : "", size, params->num_threads, report))
         scene = build_all(&document, params, origins, &handoff, report);
     if (scene)
         scene->info.num_rounded = document.num_rounded;

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/twins.h"
+#include "scene/digits.h"
+#include "scene/runs.h"
 
 /* What is still open around the current token. */
 enum open_type {
@@ -28,6 +29,7 @@ struct parser {
     struct csg_twins twins;
     CSG_ARRAY(struct open) open;
     uint8_t modifiers; /* in front of the node to come */
+    bool has_text;     /* strings whose end depends on all that follows */
 };
 
 /* Words that begin a statement of the OpenSCAD language but no node. */
@@ -236,7 +238,8 @@ static enum csg_status read_arguments(struct parser *parser, uint32_t index,
 {
     struct csg_lexer *lexer = &parser->lexer;
     struct csg_parsed_node *node = &parser->document->nodes.data[index];
-    const bool is_text = csg_token_is_name(&parser->token, "text"); /* ends as what follows has it */
+    const bool is_text = csg_token_is_name(&parser->token, "text");
+    parser->has_text |= is_text;
     const enum csg_status status =
         csg_arguments_read(&parser->arguments, lexer, &parser->token, parser->report);
     const struct csg_lexer *behind = &parser->arguments.behind;
@@ -363,22 +366,38 @@ static void close_all(struct parser *parser)
     }
 }
 
-bool csg_document_parse(struct csg_document *document, const char *text, size_t size,
-                        struct csg_report *report)
+void csg_run_parse(struct csg_run *run, struct csg_report *report)
 {
     enum csg_status status = CSG_DONE;
-    struct parser parser = {.document = document, .report = report};
-    *document = (struct csg_document){.text = text, .size = size};
-    csg_lexer_init(&parser.lexer, text, size, 0, (struct csg_place){1, 1});
+    struct parser parser = {.document = &run->document, .report = report};
+    run->document = (struct csg_document){.text = run->text, .size = run->size};
+    csg_lexer_init(&parser.lexer, run->text, run->end, run->begin, (struct csg_place){1, 1});
+    parser.lexer.has_all_digits = csg_digits_are_all(run->text, run->size);
     advance(&parser);
     while (status != CSG_NO_MEMORY && parser.token.type != CSG_TOKEN_END)
         status = read_statement(&parser);
+    run->is_whole = parser.open.num == 0 && !parser.has_text;
     close_all(&parser);
-    document->num_rounded = parser.lexer.num_rounded;
+    run->document.num_rounded = parser.lexer.num_rounded;
+    run->num_lines = parser.lexer.line - 1;
+    run->twins = parser.twins;
+    run->ok = status != CSG_NO_MEMORY;
     csg_arguments_finish(&parser.arguments);
-    csg_twins_finish(&parser.twins);
     free(parser.open.data);
-    return status != CSG_NO_MEMORY;
+}
+
+bool csg_document_parse(struct csg_document *document, const char *text, size_t size,
+                        int num_threads, struct csg_report *report)
+{
+    struct csg_run run = {.text = text, .size = size, .end = size};
+    *document = (struct csg_document){.text = text, .size = size};
+    if (csg_runs_parse(document, report->file, num_threads))
+        return true;
+    free(document->nodes.data);
+    csg_run_parse(&run, report);
+    csg_twins_finish(&run.twins);
+    *document = run.document;
+    return run.ok;
 }
 
 void csg_document_finish(struct csg_document *document)

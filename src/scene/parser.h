@@ -38,10 +38,10 @@ struct csg_document {
 
 /*
  * Reads the whole text; what is malformed is reported and left out. false, with a message, when
- * memory is out. text must stay until csg_document_finish.
+ * memory is out. text must stay until csg_document_finish. num_threads: as for csg_parallel.
  */
 bool csg_document_parse(struct csg_document *document, const char *text, size_t size,
-                        struct csg_report *report);
+                        int num_threads, struct csg_report *report);
 
 void csg_document_finish(struct csg_document *document);
 

@@ -54,7 +54,7 @@ static bool read_ours(const char *path, struct csg_drawing *drawing)
                                   .clip.is_wanted = true,
                                   .num_threads = 1,
                                   .directory = "."};
-    ok = ok && csg_document_parse(&document, text.data, text.num, &report) &&
+    ok = ok && csg_document_parse(&document, text.data, text.num, 1, &report) &&
          read_drawing(&builder, drawing);
     csg_document_finish(&document);
     free(file.data);
