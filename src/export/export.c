@@ -72,6 +72,10 @@ bool csgcast_export(const char *path, const struct csgcast_scene *scene,
         return false;
     struct job job = {.scene = scene, .view = view ? view : &default_view};
     const struct csg_log *log = &scene->log;
+    if (!path || !path[0]) {
+        csg_log_error(log, CSGCAST_MESSAGE_ARGUMENT, "an export needs a path");
+        return false;
+    }
     job.scheme = csg_colorscheme_find(job.view->colorscheme);
     job.format = find_format(path, format, log);
     if (!job.scheme)
