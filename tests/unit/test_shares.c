@@ -9,29 +9,19 @@
 
 #include "check.h"
 #include "csg/scene.h"
+#include "random_text.h"
 
 enum { NUM_STATEMENTS = 40000, ROOM = 1 << 23 };
 
 static unsigned long long state = 11;
-
-static unsigned random_below(unsigned n)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (unsigned)(state >> 33) % n;
-}
-
-struct text {
-    char *data;
-    size_t num;
-};
 
 #define PUT(text, ...)                                                                             \
     ((text)->num += (size_t)snprintf((text)->data + (text)->num, ROOM - (text)->num, __VA_ARGS__))
 
 static void put_solid(struct text *text)
 {
-    const unsigned a = random_below(9), b = 1 + random_below(9);
-    switch (random_below(4)) {
+    const unsigned a = random_below(&state, 9), b = 1 + random_below(&state, 9);
+    switch (random_below(&state, 4)) {
     case 0:
         PUT(text, "sphere(r = %u);\n", a); /* nothing where it is 0 */
         break;
@@ -50,8 +40,8 @@ static void put_opening(struct text *text)
 {
     static const char *const modifiers[60] = {"*", "#", "%"};
     static const char *const nodes[4] = {"group()", "union()", "difference()", "intersection()"};
-    const unsigned a = random_below(20);
-    const char *modifier = modifiers[random_below(60)];
+    const unsigned a = random_below(&state, 20);
+    const char *modifier = modifiers[random_below(&state, 60)];
     PUT(text, "%s", modifier ? modifier : "");
     if (a < 8)
         PUT(text, "multmatrix([[1, 0, 0, %u.23456], [0, %u, 0, 1], [0, 0, 1, 0]]) {\n", a, a + 1);
@@ -68,7 +58,7 @@ static char *make_text(void)
     int depth = 0;
     PUT(&text, "color([1, 0, 0, 1]) translate([1, 2, 3]) {\n"); /* around all shares */
     for (int i = 0; i < NUM_STATEMENTS; i++) {
-        const unsigned what = random_below(8);
+        const unsigned what = random_below(&state, 8);
         if (what < 2 && depth < 40) {
             put_opening(&text);
             depth++;
