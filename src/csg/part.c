@@ -16,8 +16,8 @@ void csg_part_finish(struct csg_part *part)
 bool csg_part_open(struct csg_part *part, bool is_and)
 {
     const struct csg_node node = {.op = is_and ? CSG_AND : CSG_OR};
-    return csg_array_push(&part->open, (uint32_t)part->tree.num) &&
-           csg_array_push(&part->tree, node);
+    return csg_array_push(&part->tree, node) &&
+           csg_array_push(&part->open, (uint32_t)part->tree.num - 1);
 }
 
 void csg_part_close(struct csg_part *part)
