@@ -15,6 +15,11 @@
 #define MAX_TESTS_ROW 6.0
 #define MAX_TESTS_NESTED 13.0
 
+/* ... times this where the cells, boxes along the axes, lie askew to the solid that is cut: a plate
+ * that is turned shares most of its cells with what is beside it. */
+#define ASKEW 3.0
+#define ACROSS 0.995 /* of a normal along an axis: 6 degrees off */
+
 /* Shares of that: few, so that cells are certainly no faster, and many: they certainly are. */
 #define FEW_TESTS 0.7
 #define MANY_TESTS 8.0
@@ -28,15 +33,30 @@ static bool is_nested(const struct csg_terms *terms, const struct csg_object *ob
     return false;
 }
 
+/* Whether the first solid that is not subtracted has planes that are not across an axis. */
+static bool is_askew(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_leaf *minuend = csg_object_minuend(scene, object);
+    const size_t num = minuend ? minuend->shape.num_planes : 0;
+    for (size_t i = 0; i < num; i++) {
+        const struct csg_vec3 n = minuend->shape.planes[i].normal;
+        const double most = fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)));
+        if (most < ACROSS)
+            return true;
+    }
+    return false;
+}
+
 /* What cells would spare this object in this frame, in tests; 0: nothing. false: out of memory. */
 static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
                         const struct csg_rect *rect, struct csg_draw *draw, double *spared)
 {
     bool quadrics;
     const bool bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
-    const double most = bunched                    ? MAX_TESTS_BUNCHED
-                        : is_nested(terms, object) ? MAX_TESTS_NESTED
-                                                   : MAX_TESTS_ROW;
+    const double askew = is_askew(terms->scene, object) ? ASKEW : 1;
+    const double most = askew * (bunched                    ? MAX_TESTS_BUNCHED
+                                 : is_nested(terms, object) ? MAX_TESTS_NESTED
+                                                            : MAX_TESTS_ROW);
     const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     double tests;
     *spared = 0;

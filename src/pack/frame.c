@@ -160,6 +160,13 @@ static void note_stiff(struct packer *packer, uint32_t index)
                                                                    .resolved = terms->error};
 }
 
+static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
+                        const struct csg_rect *rect)
+{
+    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+    return params->whole(index, area, params->user);
+}
+
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
 {
     struct csg_rect rect;
@@ -187,7 +194,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     if (cells)
         return csg_walk_add(&packer->terms, cells, &rect, &draw);
     if (index != CSG_WHOLE_LAYER && packer->terms.views.num == 0 &&
-        (packer->params->textbook || packer->params->whole(index, packer->params->user)))
+        (packer->params->textbook || draws_whole(packer->params, index, &rect)))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
     if (index != CSG_WHOLE_LAYER && csg_tile_is_small(object, &rect))

@@ -74,8 +74,9 @@ struct csg_frame_params {
     int num_threads; /* see csg_parallel */
     const struct csg_colorscheme *scheme;
     enum csgcast_cut_color cut_color;
-    /* Whether an object is drawn in one piece, by its number; the others are drawn in tiles. */
-    bool (*whole)(size_t object, const void *user);
+    /* Whether an object is drawn in one piece, by its number and the pixels of its rectangle; the
+     * others are drawn in tiles. */
+    bool (*whole)(size_t object, double area, const void *user);
     const void *user;
     bool textbook;   /* carriers as pack/textbook.h has them */
     bool precise;    /* everything in double */

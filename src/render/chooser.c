@@ -9,6 +9,11 @@
  * Each costs 5 to 100 ms to compile where the driver's disk cache does not know it. */
 #define MAX_STRAIGHT_PROGRAMS 8
 
+/* Structures of more steps are drawn in tiles where steps times pixels are more than this: a tile
+ * leaves out most of the solids, but takes as long to make as some hundred pixels. */
+#define MANY_STEPS 10
+#define MAX_STEP_PIXELS 3e5
+
 /* Program of a structure that this frame has met already. */
 struct known {
     const struct csg_step *steps; /* of the first object that has it */
@@ -30,6 +35,7 @@ struct csg_chooser {
     int common_chain; /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
     uint32_t prepared; /* the object whose cells' program is there, + 1 */
+    uint32_t prepared_whole; /* ... whose programs for tiles and for all of it are */
     size_t max_handed; /* flat inputs that the driver allows */
     int max_point;     /* pixels of a point's side */
 };
@@ -41,7 +47,13 @@ static struct csg_structure structure_of(const struct csg_request *request, uint
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-bool csg_draws_whole(size_t object, const void *user)
+/* Whether a small structure is drawn in one piece only where it covers few pixels. */
+static bool may_be_tiled(const struct csg_request *request, const struct csg_structure *structure)
+{
+    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
+}
+
+bool csg_draws_whole(size_t object, double area, const void *user)
 {
     const struct csg_request *request = user;
     const struct csg_structure structure = structure_of(request, (uint32_t)object);
@@ -51,7 +63,8 @@ bool csg_draws_whole(size_t object, const void *user)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
-    return csg_structure_is_small(&structure);
+    return csg_structure_is_small(&structure) &&
+           (!may_be_tiled(request, &structure) || (double)structure.num * area <= MAX_STEP_PIXELS);
 }
 
 static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
@@ -320,10 +333,31 @@ static bool prepare_cells(struct csg_chooser *chooser, const struct csg_draw *dr
     return choose_shared(chooser, CSG_RESOLVER_CELLS, walk_features(chooser, draw), &resolver) != 0;
 }
 
+/* An object that is drawn in tiles in one frame may be drawn whole in the next, and the other way
+ * round. */
+static bool prepare_whole(struct csg_chooser *chooser, const struct csg_draw *draw)
+{
+    const struct csg_request *request = chooser->request;
+    if (!request->scene->keeps_structure || draw->object == CSG_WHOLE_LAYER || draw->precise ||
+        draw->around_eye || draw->walk || chooser->prepared_whole == draw->object + 1)
+        return true;
+    chooser->prepared_whole = draw->object + 1;
+    const struct csg_structure structure = structure_of(request, draw->object);
+    if (request->shared || request->scene->objects->data[draw->object].crowded ||
+        !may_be_tiled(request, &structure) || !csg_structure_is_small(&structure))
+        return true;
+    const bool known = find_straight(chooser, &structure, draw->stiff);
+    return prepare_tiles(chooser) &&
+           (known || chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
+            choose_straight(chooser, &structure, draw->stiff,
+                            csg_structure_features(&structure) | view_features(draw)));
+}
+
 static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
-    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) || !prepare_cells(chooser, draw))
+    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) ||
+        !prepare_cells(chooser, draw) || !prepare_whole(chooser, draw))
         return 0;
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);

@@ -67,7 +67,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
 void csg_picture_warm_up(struct csgcast_renderer *renderer);
 
 /* Whether an object is drawn in one piece; user is the struct csg_request. */
-bool csg_draws_whole(size_t object, const void *user);
+bool csg_draws_whole(size_t object, double area, const void *user);
 
 /* Objects of enum csg_resolver's kinds drawn, for the statistics. */
 struct csg_batch {

@@ -249,6 +249,49 @@ static void check_empty(struct bench *bench)
     csgcast_scene_destroy(scene);
 }
 
+#define LARGE_SIZE 256
+
+/* Of an object that is drawn in tiles where it is large, and whole where it is not. */
+static size_t draw_large(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                         const char *variant, float *id)
+{
+    const struct csgcast_view view = {
+        .width = LARGE_SIZE,
+        .height = LARGE_SIZE,
+        .camera = {.kind = CSGCAST_CAMERA_GIMBAL, .rotate = {58, 7, 23}, .distance = 80}};
+    const struct csgcast_image image = {.id = id};
+    struct csgcast_stats stats;
+    CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
+    csgcast_renderer_get_stats(renderer, &stats);
+    CHECK(!variant || strstr(stats.variants, "reference") || strstr(stats.variants, variant),
+          "%s instead of %s", stats.variants, variant);
+    return stats.programs;
+}
+
+/* An edit that makes an object larger draws it in tiles, for which all programs are there. */
+static void check_growth(struct bench *bench)
+{
+    static float got[LARGE_SIZE * LARGE_SIZE], expected[LARGE_SIZE * LARGE_SIZE];
+    const double large[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const double small[16] = {0.3, 0, 0, 0, 0, 0.3, 0, 0, 0, 0, 0.3, 0, 0, 0, 0, 1};
+    char *text = bench->text;
+    int at = snprintf(text, MODEL_MAX_TEXT, "difference() { cube(24, center = true);");
+    for (int i = 0; i < 14; i++)
+        at += snprintf(text + at, MODEL_MAX_TEXT - (size_t)at,
+                       "translate([%d, %d, 3]) sphere(%d);", 3 * (i % 5) - 5, 4 * (i / 5) - 4,
+                       2 + i % 7);
+    snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "}");
+    struct csgcast_scene *scene = parse(text, true), *fresh = parse(text, false);
+    CHECK(csgcast_scene_set_matrix(scene, 0, small), "%s", last_message);
+    const size_t programs = draw_large(bench->edited, scene, "straight 1", got);
+    CHECK(csgcast_scene_set_matrix(scene, 0, large), "%s", last_message);
+    CHECK(draw_large(bench->edited, scene, "chain", got) == programs, "growth compiled a program");
+    draw_large(bench->fresh, fresh, "chain", expected);
+    CHECK(memcmp(got, expected, sizeof got) == 0, "grown: pixels differ");
+    csgcast_scene_destroy(fresh);
+    csgcast_scene_destroy(scene);
+}
+
 /* The matrix is the product of all around the leaf; a node with several leaves moves as one. */
 static void check_getters(struct bench *bench)
 {
@@ -407,6 +450,7 @@ int main(int argc, char **argv)
     }
     bench.edited = create(backend);
     bench.fresh = create(backend);
+    check_growth(&bench); /* first: no program is there */
     for (int i = 0; i < num_scenes; i++)
         check_random(&bench, seed + (unsigned)i, 3 + 5 * (i % 10), i % 2);
     for (int i = 0; i < num_scenes; i++)
