@@ -46,7 +46,7 @@ bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char
 
 /* A convex polyhedron, or a surface of triangles, as a mesh. false: out of memory. */
 bool csg_pov_polygons(struct csg_text *text, const struct csg_shape *shape, const char *tail);
-bool csg_pov_triangles(struct csg_text *text, const struct csg_shape *shape, const char *tail);
+void csg_pov_triangles(struct csg_text *text, const struct csg_shape *shape, const char *tail);
 
 /*
  * Between begin and end, subtracted leaves can be moved: move gives a leaf of its own, its planes

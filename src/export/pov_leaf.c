@@ -318,7 +318,7 @@ bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char
     const struct csg_box box = csg_leaf_box(leaf);
     struct csg_map from_canon;
     if (shape->surface)
-        return csg_pov_triangles(text, shape, tail);
+        return csg_pov_triangles(text, shape, tail), true;
     if (shape->has_quadric && csg_map_invert(&shape->quadric.to_canon, &from_canon) &&
         (write_sphere(text, shape, &from_canon, tail) ||
          write_cylinder(text, shape, &from_canon, tail)))

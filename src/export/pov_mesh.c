@@ -70,23 +70,21 @@ bool csg_pov_polygons(struct csg_text *text, const struct csg_shape *shape, cons
 
 /* ---- surfaces ------------------------------------------------------------------------------- */
 
-bool csg_pov_triangles(struct csg_text *text, const struct csg_shape *shape, const char *tail)
+void csg_pov_triangles(struct csg_text *text, const struct csg_shape *shape, const char *tail)
 {
-    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
-    if (!surface)
-        return false;
+    const struct csg_surface *surface = shape->surface;
+    const bool is_mirrored = csg_map_determinant(&shape->frame) < 0;
     csg_text_open(text, "mesh2");
     begin_list(text, "vertex_vectors", surface->points.num);
     for (size_t i = 0; i < surface->points.num; i++)
-        write_point(text, surface->points.data[i]);
+        write_point(text, csg_map_point(&shape->frame, surface->points.data[i]));
     csg_text_close(text);
     begin_list(text, "face_indices", surface->triangles.num);
     for (size_t i = 0; i < surface->triangles.num; i++) {
-        const uint32_t *p = surface->triangles.data[i].points;
+        uint32_t p[3];
+        csg_triangle_corners(&surface->triangles.data[i], is_mirrored, p);
         csg_text_line(text, ", <%u, %u, %u>", (unsigned)p[0], (unsigned)p[1], (unsigned)p[2]);
     }
     csg_text_close(text);
     finish(text, tail);
-    csg_surface_destroy(surface);
-    return true;
 }

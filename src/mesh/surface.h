@@ -69,8 +69,8 @@ struct csg_surface {
 /* One sharer less; the last one takes it along. */
 void csg_surface_destroy(struct csg_surface *surface);
 
-/* One sharer more. Returns surface. Sharers that threads may make or destroy at a time do not
- * exist: a surface belongs to one scene. */
+/* One sharer more. Returns surface. Not for several threads at a time: only who makes or edits a
+ * scene makes and destroys sharers of its surfaces. */
 struct csg_surface *csg_surface_share(struct csg_surface *surface);
 
 /* A new surface, or a sharer, that is where place takes this one. NULL: out of memory, or place is
