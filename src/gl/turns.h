@@ -4,7 +4,7 @@
 
 /*
  * The contexts that Mesa's llvmpipe makes in a process share one rasteriser. Two threads that draw
- * in contexts of their own at the same time crash in it (Mesa 22.3.6: a process in fifty of
+ * in contexts of their own at the same time crash in it (Mesa 22.3.6: a process in a hundred of
  * examples/threads.c), so software contexts take turns, and so does making any context. Drawing in
  * software takes all cores anyway.
  */
