@@ -36,7 +36,8 @@ struct job {
     bool *is_box;
     double cost; /* of all parts */
     struct csg_kept *before;
-    uint64_t *keys; /* of the parts; NULL: none are kept */
+    uint64_t *keys;      /* of the parts; NULL: none are kept */
+    uint64_t *leaf_keys; /* what they have of the leaves */
     int num_threads;
 };
 
@@ -62,7 +63,7 @@ static void build_part(void *user, size_t i)
     struct csg_work *work = &job->top.work.data[i];
     struct csg_cell_builder *part = &job->parts[i];
     if (job->keys) {
-        job->keys[i] = csg_kept_key(&job->top, work);
+        job->keys[i] = csg_kept_key(&job->top, work, job->leaf_keys);
         if (csg_kept_take(job->before, job->keys[i], part))
             return;
     }
@@ -125,6 +126,18 @@ double csg_cells_cost(const struct csgcast_scene *scene, const struct csg_object
     return TESTS_PER_BRANCH * (double)max_branches(scene, object);
 }
 
+static bool make_keys(struct job *job, const struct csg_object *object)
+{
+    const struct csgcast_scene *scene = job->top.scene;
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    job->keys = calloc(job->top.work.num + 1, sizeof *job->keys);
+    job->leaf_keys = malloc((scene->num_leaves + 1) * sizeof *job->leaf_keys);
+    for (uint32_t i = object->begin; i < object->end && job->leaf_keys; i++)
+        if (nodes[i].op == CSG_LEAF)
+            job->leaf_keys[nodes[i].leaf] = csg_kept_leaf_key(&job->top, nodes[i].leaf);
+    return job->keys && job->leaf_keys;
+}
+
 static bool build(struct job *job, const struct csgcast_scene *scene,
                   const struct csg_object *object, struct csg_cells *cells)
 {
@@ -148,9 +161,7 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
     job->top.max_branches = max_branches(scene, object);
     csg_cell_builder_cut(&job->top, NUM_PARTS);
     job->parts = calloc(job->top.work.num + 1, sizeof *job->parts);
-    if (scene->keeps_structure)
-        job->keys = calloc(job->top.work.num + 1, sizeof *job->keys);
-    if (job->top.failed || !job->parts || (scene->keeps_structure && !job->keys))
+    if (job->top.failed || !job->parts || (scene->keeps_structure && !make_keys(job, object)))
         return false;
     for (size_t i = 0; i < job->top.work.num; i++) {
         job->top.branches.data[job->top.work.data[i].branch].first = (uint32_t)i;
@@ -283,10 +294,21 @@ static bool emit_split(struct emitter *emitter, const struct pending *pending,
     return true;
 }
 
+/* At most: a texel each, three that fill up to the children of a split, and the records. */
+static size_t most_numbers(const struct csg_cell_builder *builder)
+{
+    return 16 * builder->branches.num + builder->records.num + builder->bunches.texels.num;
+}
+
 static bool emit_all(struct emitter *emitter)
 {
-    const struct pending root = {{&emitter->job->top, 0}, 0, 0};
-    bool ok = add_texels(emitter->cells, 1) && csg_array_push(&emitter->pending, root);
+    const struct job *job = emitter->job;
+    const struct pending root = {{&job->top, 0}, 0, 0};
+    size_t most = most_numbers(&job->top);
+    for (size_t i = 0; i < job->top.work.num; i++)
+        most += most_numbers(&job->parts[i]);
+    bool ok = csg_array_reserve(&emitter->cells->texels, most) && add_texels(emitter->cells, 1) &&
+              csg_array_push(&emitter->pending, root);
     while (ok && emitter->pending.num) {
         struct pending pending = emitter->pending.data[--emitter->pending.num];
         const struct csg_branch *branch = follow(emitter->job, &pending.place);
@@ -317,6 +339,7 @@ static void finish_job(struct job *job)
         csg_cell_builder_finish(&job->parts[i]);
     free(job->parts);
     free(job->keys);
+    free(job->leaf_keys);
     csg_cell_builder_finish(&job->top);
     free(job->places);
     free(job->is_box);

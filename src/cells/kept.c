@@ -53,35 +53,37 @@ static uint64_t add_quadric(uint64_t hash, const struct csgcast_scene *scene, ui
     const struct csg_carriers *carriers = scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric = csg_carrier_quadric(scene, carriers, face.carrier);
-    const double form[5] = {quadric->diag[0], quadric->diag[1], quadric->diag[2],
-                            quadric->diag[3], quadric->linear};
+    const double form[5] = {quadric->diag[0], quadric->diag[1], quadric->diag[2], quadric->diag[3],
+                            quadric->linear};
     hash = add_doubles(hash, form, 5);
-    hash = add_doubles(hash, &quadric->to_canon.m[0][0],
-                       sizeof quadric->to_canon.m / sizeof(double));
-    return csg_hash_number(csg_hash_number(hash, face.flipped), (uint64_t)(carriers->sheets[leaf] + 1));
+    hash =
+        add_doubles(hash, &quadric->to_canon.m[0][0], sizeof quadric->to_canon.m / sizeof(double));
+    return csg_hash_number(csg_hash_number(hash, face.flipped),
+                           (uint64_t)(carriers->sheets[leaf] + 1));
 }
 
-static uint64_t add_leaf(uint64_t hash, const struct csg_cell_builder *top, uint32_t leaf)
+uint64_t csg_kept_leaf_key(const struct csg_cell_builder *top, uint32_t leaf)
 {
     const struct csg_leaf *own = &top->scene->leaves[leaf];
-    hash = csg_hash_number(csg_hash_number(hash, leaf), top->places[leaf]);
-    hash = csg_hash_number(hash, (uint64_t)(4 * top->is_box[leaf] + 2 * own->shape.has_quadric +
-                                       own->shape.convex));
+    uint64_t hash = csg_hash_number(csg_hash_number(0, leaf), top->places[leaf]);
+    hash = csg_hash_number(
+        hash, (uint64_t)(4 * top->is_box[leaf] + 2 * own->shape.has_quadric + own->shape.convex));
     hash = add_planes(add_box(hash, &own->box), top->scene->carriers, leaf);
     return own->shape.has_quadric ? add_quadric(hash, top->scene, leaf) : hash;
 }
 
-uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work *work)
+uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work *work,
+                      const uint64_t *leaf_keys)
 {
     uint64_t hash = add_box(csg_hash_number(0, work->depth), &work->box);
     hash = add_doubles(hash, &top->margin, 1);
     hash = csg_hash_number(hash, (uint64_t)(2 * top->bunched + top->bunches.quadrics));
     for (size_t i = 0; i < work->tree.num; i++) {
         const struct csg_node *node = &work->tree.data[i];
-        hash =
-            csg_hash_number(hash, (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
+        hash = csg_hash_number(hash,
+                               (uint64_t)node->end << 8 | (uint64_t)(2 * node->op + node->negated));
         if (node->op == CSG_LEAF)
-            hash = add_leaf(hash, top, node->leaf);
+            hash = csg_hash_number(hash, leaf_keys[node->leaf]);
     }
     return hash;
 }

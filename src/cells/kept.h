@@ -12,8 +12,12 @@
 
 struct csg_kept;
 
-/* Of the part that starts from work, one of top's. */
-uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work *work);
+/* What a part's key has of a leaf. */
+uint64_t csg_kept_leaf_key(const struct csg_cell_builder *top, uint32_t leaf);
+
+/* Of the part that starts from work, one of top's; leaf_keys by leaf. */
+uint64_t csg_kept_key(const struct csg_cell_builder *top, const struct csg_work *work,
+                      const uint64_t *leaf_keys);
 
 /* Keeps what cells are of parts, which is taken from them. NULL: out of memory. */
 struct csg_kept *csg_kept_create(struct csg_cell_builder *parts, const uint64_t *keys, size_t num);
