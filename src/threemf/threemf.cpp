@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <memory>
 #include <vector>
@@ -49,15 +50,31 @@ handle make_model()
     return handle(is_done(NMR::lib3mf_createmodel(&model)) ? model : nullptr);
 }
 
+/* Processor time after which a file is given up: lib3mf looks parts up one by one, which takes
+ * minutes for files of a few hundred kilobytes that are made for it. */
+constexpr double max_seconds = 30;
+
+/* lib3mf asks now and then whether it may go on. */
+bool has_time(int, NMR::ProgressIdentifier, void *start)
+{
+    return static_cast<double>(std::clock() - *static_cast<std::clock_t *>(start)) <
+           max_seconds * CLOCKS_PER_SEC;
+}
+
 bool fill_model(PLib3MFBase *model, const char *data, size_t num, char *error, size_t size)
 {
     NMR::PLib3MFModelReader *made = nullptr;
     const handle reader(is_done(NMR::lib3mf_model_queryreader(model, "3mf", &made)) ? made
-                                                                                     : nullptr);
+                                                                                    : nullptr);
+    std::clock_t start = std::clock();
+    if (reader)
+        NMR::lib3mf_reader_setprogresscallback(made, has_time, &start);
     /* lib3mf does not write to the buffer. */
     BYTE *bytes = reinterpret_cast<BYTE *>(const_cast<char *>(data));
     const bool ok = reader && is_done(NMR::lib3mf_reader_readfrombuffer(reader.get(), bytes, num));
-    if (!ok)
+    if (!ok && !has_time(0, {}, &start))
+        std::snprintf(error, size, "it takes more than %g s to read", max_seconds);
+    else if (!ok)
         explain(reader.get(), error, size);
     return ok;
 }
@@ -85,8 +102,8 @@ csg_3mf_result read_mesh(PLib3MFBase *object, const csg_3mf_sink &sink)
         return CSG_3MF_MALFORMED;
     std::vector<NMR::MODELMESHVERTEX> points(num_points);
     std::vector<NMR::MODELMESHTRIANGLE> triangles(num_triangles);
-    if ((num_points && !is_done(NMR::lib3mf_meshobject_getvertices(object, points.data(),
-                                                                   num_points, &taken))) ||
+    if ((num_points &&
+         !is_done(NMR::lib3mf_meshobject_getvertices(object, points.data(), num_points, &taken))) ||
         (num_triangles && !is_done(NMR::lib3mf_meshobject_gettriangleindices(
                               object, triangles.data(), num_triangles, &taken))))
         return CSG_3MF_MALFORMED;
