@@ -35,8 +35,8 @@ const struct csg_handed_off *csg_handoff_find(const struct csg_handoff *handoff,
         else
             high = middle;
     }
-    const struct csg_handed_off *found = &handoff->nodes.data[low];
-    return low < handoff->num_evaluated && found->node == node ? found : NULL;
+    const bool is_there = low < handoff->num_evaluated && handoff->nodes.data[low].node == node;
+    return is_there ? &handoff->nodes.data[low] : NULL;
 }
 
 bool csg_handoff_want(struct csg_handoff *handoff, uint32_t node, uint8_t dimension,
