@@ -23,6 +23,20 @@ static const struct message_rule rules[] = {
 /* After these openscad 2021.01 exits as if all were well, with what it had until then. */
 static const char *const fatal_errors[] = {"Assertion ", "Recursion detected", "exceeded limit"};
 
+/* What openscad 2021.01 says of what came after it, and what that is. */
+static const struct newer_word {
+    const char *said, *word;
+} newer_words[] = {
+    {"unknown function 'textmetrics'", "textmetrics()"},
+    {"unknown function 'fontmetrics'", "fontmetrics()"},
+    {"unknown function 'object'", "object()"},
+    {"unknown function 'is_object'", "is_object()"},
+    {"unknown function 'has_key'", "has_key()"},
+    {"unknown function 'import'", "import() as a function"},
+    {"unknown module 'fill'", "fill()"},
+    {"unknown module 'roof'", "roof()"},
+};
+
 static bool contains(const char *line, size_t length, const char *text)
 {
     const size_t text_length = strlen(text);
@@ -68,6 +82,22 @@ static bool pass_on_line(const struct csg_log *log, const char *prefix, const ch
     return fatal;
 }
 
+/* Warnings of openscad do not tell why a word is unknown. */
+static void name_newer_words(const struct csg_log *log, const char *prefix,
+                             const struct csg_bytes *messages)
+{
+    for (size_t i = 0; i < sizeof newer_words / sizeof newer_words[0]; i++)
+        if (csg_openscad_mentions(messages, newer_words[i].said))
+            csg_log_print(log, CSGCAST_LOG_WARNING, CSGCAST_MESSAGE_OPENSCAD,
+                          "%s%s is of a newer OpenSCAD than this openscad; --openscad names another",
+                          prefix, newer_words[i].word);
+    if (csg_openscad_mentions(messages, "Parser error"))
+        csg_log_print(log, CSGCAST_LOG_WARNING, CSGCAST_MESSAGE_OPENSCAD,
+                      "%sthis openscad does not understand the file, which may be written for a "
+                      "newer one; --openscad names another",
+                      prefix);
+}
+
 bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct csg_bytes *messages,
                           bool failed)
 {
@@ -83,5 +113,6 @@ bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct 
             pass_on_line(log, prefix, line, length < INT16_MAX ? length : INT16_MAX, failed);
         line = newline ? newline + 1 : end;
     }
+    name_newer_words(log, prefix, messages);
     return is_incomplete;
 }

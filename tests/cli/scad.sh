@@ -119,6 +119,21 @@ expect 1 "an animation that fails" render late.scad --animate=4 "${small[@]}" -o
 says "too late"
 check "no file is left" test ! -e late00000.png
 
+# ---- files for a newer OpenSCAD ----
+cat >old <<'EOF'
+#!/bin/sh
+echo "WARNING: Ignoring unknown function 'textmetrics' in file x.scad, line 1" >&2
+while [ "$1" != -o ]; do shift; done
+echo 'cube(2);' >"$2"
+EOF
+printf '#!/bin/sh\necho "ERROR: Parser error: syntax error in file x.scad, line 1" >&2\nexit 1\n' >older
+chmod +x old older
+echo 'cube(2);' >newer.scad
+expect 0 "a word of a newer OpenSCAD" info newer.scad --no-gl --openscad=./old
+says "textmetrics() is of a newer OpenSCAD"
+expect 1 "its grammar" info newer.scad --no-gl --openscad=./older
+says "may be written for a newer one"
+
 # ---- folders of those that were killed: the next call removes them, and no other one. ----
 rm -rf ./*
 mkdir tmp
