@@ -3,9 +3,9 @@
 //     node sagitta.mjs exact|auto SCENE.csg
 //
 // Prints how far OpenSCAD's facets may be from the true surface anywhere in the scene: the largest
-// r (1 - cos(pi / n)) of its cylinders and spheres, times the stretch of the maps around them. A
-// sphere's quads are curved both ways and count twice. With auto, solids with an explicit $fn of at
-// most 12 are polygons and do not count. Prints 0 when there is nothing round.
+// r (1 - cos(pi / n)) of its cylinders, circles and spheres, times the stretch of the maps around
+// them. A sphere's quads are curved both ways and count twice. With auto, solids with an explicit
+// $fn of at most 12 are polygons and do not count. Prints 0 when there is nothing round.
 
 import { readFileSync } from "node:fs";
 
@@ -30,7 +30,7 @@ function stretch(matrix) {
 
 function sagittaOf(line, facets) {
     const [, name] = line.match(/^[%#\s]*(\w+)\(/) ?? [];
-    if (name !== "sphere" && name !== "cylinder")
+    if (!["sphere", "cylinder", "circle"].includes(name))
         return 0;
     const r = Math.max(argument(line, "r"), argument(line, "r1"), argument(line, "r2"), 0);
     const fn = argument(line, "fn");

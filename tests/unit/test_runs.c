@@ -53,8 +53,8 @@ static void put_node(struct text *text)
 {
     static const char *const nodes[] = {
         "sphere(r = 1.23456);\n",
-        "multmatrix([[1, 0, 0, 3.14159], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n"
-        "\tcube();\n}\n",
+        ("multmatrix([[1, 0, 0, 3.14159], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n"
+         "\tcube();\n}\n"),
         "group() {\n\tdifference() {\n\t\tcube(size = 3);\n\t\t%sphere(r = 2);\n\t}\n}\n",
         "union() {\n}\n",
     };
