@@ -120,6 +120,13 @@ static inline struct csg_box csg_box_intersection(const struct csg_box *a, const
         {csg_least(a->hi.x, b->hi.x), csg_least(a->hi.y, b->hi.y), csg_least(a->hi.z, b->hi.z)}};
 }
 
+/* Whether they have a point in common, if only on their faces. */
+static inline bool csg_box_overlaps(const struct csg_box *a, const struct csg_box *b)
+{
+    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y &&
+           a->lo.z <= b->hi.z && b->lo.z <= a->hi.z;
+}
+
 /* The box with all its faces moved outwards by so much. */
 struct csg_box csg_box_grown(const struct csg_box *box, double by);
 

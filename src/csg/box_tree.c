@@ -113,11 +113,9 @@ void csg_box_tree_finish(struct csg_box_tree *tree)
     *tree = (struct csg_box_tree){0};
 }
 
-static bool overlaps(const struct csg_box *a, const void *what)
+static bool overlaps(const struct csg_box *box, const void *what)
 {
-    const struct csg_box *b = what;
-    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y &&
-           a->lo.z <= b->hi.z && b->lo.z <= a->hi.z;
+    return csg_box_overlaps(box, what);
 }
 
 /* The end of a level, in boxes. */

@@ -131,7 +131,8 @@ static bool add_piece(struct framing *framing, const struct csg_tree *tree, uint
             piece.box = csg_box_union(&piece.box, &box);
     }
     narrow(&piece, first, last);
-    return whole->negated || csg_box_is_empty(&piece.box) || csg_array_push(&framing->pieces, piece);
+    return whole->negated || csg_box_is_empty(&piece.box) ||
+           csg_array_push(&framing->pieces, piece);
 }
 
 static bool find_pieces(struct framing *framing, const struct csg_tree *tree)
@@ -280,7 +281,8 @@ static struct csg_box without_skin(const struct csg_box *box)
     return (struct csg_box){csg_add(box->lo, skin), csg_sub(box->hi, skin)};
 }
 
-/* How far along the side's axis anything is; what reaches no farther than so_far does not matter. */
+/* How far along the side's axis anything is; what reaches no farther than so_far does not
+ * matter. */
 static bool find_side(struct framing *framing, const double size[3], double so_far, double *side)
 {
     bool done = true;

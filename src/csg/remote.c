@@ -22,19 +22,13 @@ struct search {
     atomic_bool is_out_of_memory;
 };
 
-static bool overlaps(const struct csg_box *a, const struct csg_box *b)
-{
-    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y &&
-           a->lo.z <= b->hi.z && b->lo.z <= a->hi.z;
-}
-
 /* Marks the planes of triangles that the box, in the surface's space, may meet. */
 static bool mark(const struct csg_surface *surface, const struct csg_box *box, uint8_t *near)
 {
     const struct csg_box_node *nodes = surface->nodes.data;
     bool is_any = false;
     for (size_t i = 0; i < surface->nodes.num;) {
-        if (!overlaps(&nodes[i].box, box)) {
+        if (!csg_box_overlaps(&nodes[i].box, box)) {
             i = nodes[i].end;
             continue;
         }

@@ -126,7 +126,8 @@ int csg_surface_winding(const struct csg_surface *surface, const struct csg_map 
     struct csg_vec3 dir = {0.5773, 0.2113, 0.7886}; /* along no likely face */
     struct csg_meetings meetings = {0};
     int winding = 0;
-    if (csg_surface_meet(surface, place, p, dir, &meetings) && enter_space(place, &p, &dir))
+    if (enter_space(place, &p, &dir) &&
+        csg_surface_meet(surface, &csg_map_identity, p, dir, &meetings))
         for (size_t i = 0; i < meetings.num; i++) {
             const struct csg_meeting *meeting = &meetings.data[i];
             const struct csg_plane *plane =

@@ -60,7 +60,7 @@ struct csg_surface {
     CSG_ARRAY(struct csg_box_node) nodes;     /* none until csg_surface_build */
     struct csg_own_face *own;                 /* by plane; NULL until csg_own_faces_find */
     struct csg_surface_extent *extents;       /* likewise */
-    size_t num_own;                           /* planes that are there own */
+    size_t num_own;                           /* planes that are their own */
     double size; /* largest coordinate; infinite where a point or plane is not finite */
     bool is_simple; /* no two faces lie upon each other, not even in part */
     bool open; /* some edge does not belong to two triangles in opposite directions */

@@ -6,8 +6,8 @@
 #include "scene/walk.h"
 
 /*
- * Booleans and offsets of drawings with OpenSCAD's vertices, where those are wanted (--facets=as-written):
- * evaluated node by node with Clipper, on its grid.
+ * Booleans and offsets of drawings with OpenSCAD's vertices, where those are wanted
+ * (--facets=as-written): evaluated node by node with Clipper, on its grid.
  */
 
 /* Whether they are wanted, and csgcast-clip.so is there. */

@@ -66,32 +66,40 @@ static bool add_moved(const struct csg_shape *shape, struct csg_vec3 by, struct 
     return false;
 }
 
-static bool add_triangles(const struct csg_shape *shape, const struct csg_vec3 *corners,
+static bool add_triangles(const struct csg_surface *surface, const struct csg_vec3 *corners,
                           size_t num, struct csg_clusters *sums)
 {
-    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
-    bool ok = surface != NULL;
+    bool ok = true;
     for (size_t i = 0; i < surface->triangles.num && ok; i++) {
         struct csg_vec3 triangle[3];
         for (int j = 0; j < 3; j++)
             triangle[j] = surface->points.data[surface->triangles.data[i].points[j]];
         ok = add_sum(triangle, 3, corners, num, sums);
     }
+    return ok;
+}
+
+/* The sums of a surface and b's convex sets. */
+static bool add_surface(const struct csg_shape *shape, const struct csg_sets *b,
+                        struct csg_sets *sum)
+{
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    bool ok = surface != NULL;
+    for (size_t i = 0; i < b->convex.ends.num && ok; i++) {
+        size_t num;
+        const struct csg_vec3 *corners = corners_of(&b->convex, i, &num);
+        ok = add_moved(shape, corners[0], sum) &&
+             add_triangles(surface, corners, num, &sum->convex);
+    }
     csg_surface_destroy(surface);
     return ok;
 }
 
-/* The sums of a's surfaces and b's convex sets. */
 static bool add_surfaces(const struct csg_sets *a, const struct csg_sets *b, struct csg_sets *sum)
 {
     bool ok = true;
     for (size_t i = 0; i < a->surfaces.num && ok; i++)
-        for (size_t j = 0; j < b->convex.ends.num && ok; j++) {
-            size_t num;
-            const struct csg_vec3 *corners = corners_of(&b->convex, j, &num);
-            ok = add_moved(&a->surfaces.data[i], corners[0], sum) &&
-                 add_triangles(&a->surfaces.data[i], corners, num, &sum->convex);
-        }
+        ok = add_surface(&a->surfaces.data[i], b, sum);
     return ok;
 }
 

@@ -89,7 +89,8 @@ static void name_newer_words(const struct csg_log *log, const char *prefix,
     for (size_t i = 0; i < sizeof newer_words / sizeof newer_words[0]; i++)
         if (csg_openscad_mentions(messages, newer_words[i].said))
             csg_log_print(log, CSGCAST_LOG_WARNING, CSGCAST_MESSAGE_OPENSCAD,
-                          "%s%s is of a newer OpenSCAD than this openscad; --openscad names another",
+                          "%s%s is of a newer OpenSCAD than this openscad; --openscad names "
+                          "another",
                           prefix, newer_words[i].word);
     if (csg_openscad_mentions(messages, "Parser error"))
         csg_log_print(log, CSGCAST_LOG_WARNING, CSGCAST_MESSAGE_OPENSCAD,

@@ -101,7 +101,7 @@ static bool add_triangles(struct projection *projection, const struct csg_shape 
     struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
     bool ok = surface != NULL;
     projection->has_triangles = true;
-    for (size_t i = 0; i < surface->triangles.num && ok; i++) {
+    for (size_t i = 0; ok && i < surface->triangles.num; i++) {
         const struct csg_triangle *triangle = &surface->triangles.data[i];
         struct csg_vec3 corners[3];
         for (int k = 0; k < 3; k++)

@@ -35,6 +35,7 @@ const struct csg_twin *csg_twins_find(const struct csg_twins *twins, const struc
 
 /* Whether a node's arguments are long enough. */
 bool csg_twins_want(size_t length);
+
 /* Adds a node, whose twin it is itself. false: out of memory. */
 bool csg_twins_add(struct csg_twins *twins, const struct csg_lexer *lexer,
                    const struct csg_twin *twin);
