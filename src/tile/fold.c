@@ -274,4 +274,3 @@ bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task)
     fold_flat(tiler, task, &box);
     return true;
 }
-
