@@ -266,11 +266,21 @@ static int list_channels(const struct csgcast_image *image, size_t num_pixels, c
     return num;
 }
 
+/* Encoding takes longer than drawing: a second or more from about these pixels on. */
+static void tell_large(const struct csg_destination *to, const struct csg_image_file *file)
+{
+    const double many_pixels = 16e6;
+    if ((double)file->width * file->height >= many_pixels)
+        csg_log_print(to->log, CSGCAST_LOG_INFO, CSGCAST_MESSAGE_PROGRESS,
+                      "%s: writing %d x %d pixels", to->path, file->width, file->height);
+}
+
 static bool write_to(struct csg_destination *to, struct csg_image_file *file)
 {
     struct csg_image_error error = {{0}};
     if (!csg_destination_open(to, file->format))
         return false;
+    tell_large(to, file);
     file->path = to->temporary;
     if (is_png(file->format) ? csg_png_write(file, &error) : write_with_module(file, &error))
         return csg_destination_commit(to);

@@ -4,7 +4,7 @@
 
 #include "render/renderer.h"
 
-/* A picture in the making: what its passes (picture.c), its readback and its statistics share. */
+/* A picture in the making: what its passes, its readback and its statistics share. */
 struct csg_picture {
     struct csgcast_renderer *renderer;
     struct csg_gl *gl;
@@ -17,6 +17,17 @@ struct csg_picture {
     float rect[4]; /* of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture */
     uint32_t *visible; /* the band's geometry buffer; NULL where no program can give up */
 };
+
+static inline bool csg_batch_is_opaque(const struct csg_batch *batch)
+{
+    return !batch->translucent && batch->paint == CSG_LAYER_MODEL;
+}
+
+/* Draws the band into the targets. */
+void csg_passes_draw_band(const struct csg_picture *picture);
+
+/* A round without objects, for what a driver makes when it first draws. */
+void csg_passes_draw_nothing(const struct csg_picture *picture);
 
 /* Copies the band that has been drawn to the caller's buffers. pixels: room for four floats a pixel
  * of it; NULL where only bytes are asked for. */

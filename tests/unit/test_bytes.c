@@ -109,6 +109,37 @@ static void check_backend(enum csgcast_backend backend)
     csgcast_renderer_destroy(renderer);
 }
 
+/* ---- bands ---- */
+
+/* Above four million pixels each band draws those tiles only that show in it: the picture is that
+ * of the object as a whole. */
+static void check_bands(void)
+{
+    static const char text[] =
+        "difference() { cube([20, 20, 20]); sphere(r = 13); cylinder(h = 30, r1 = 6, r2 = 6); "
+        "multmatrix([[0, 0, 1, 0], [0, 1, 0, 9], [-1, 0, 0, 12], [0, 0, 0, 1]]) "
+        "cylinder(h = 30, r1 = 4, r2 = 6); }";
+    const size_t num = 4 * 2503 * 2100;
+    struct csgcast_view view = {.width = 2503, .height = 2100};
+    uint8_t *tiles = malloc(num), *whole = malloc(num);
+    const struct csgcast_image in_tiles = {.rgba8 = tiles}, as_whole = {.rgba8 = whole};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, sizeof text - 1, NULL);
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_stats stats = {.tiles_mixed = 0};
+    view.variant = "shared";
+    bool ok = tiles && whole && csgcast_render(renderer, scene, &view, &in_tiles);
+    csgcast_renderer_get_stats(renderer, &stats);
+    view.variant = "straight";
+    ok = ok && csgcast_render(renderer, scene, &view, &as_whole);
+    check(ok && stats.tiles_mixed > 100, "drawn in tiles", "bands");
+    check(ok && memcmp(tiles, whole, num) == 0 && has_two_colors(whole, num),
+          "the picture of the whole object", "bands");
+    csgcast_renderer_destroy(renderer);
+    csgcast_scene_destroy(scene);
+    free(tiles);
+    free(whole);
+}
+
 /* ---- files ---- */
 
 static size_t read_file(const char *path, char *content, size_t size)
@@ -175,6 +206,7 @@ int main(void)
 {
     check_backend(CSGCAST_BACKEND_AUTO);
     check_backend(CSGCAST_BACKEND_REFERENCE);
+    check_bands();
     check_files();
     check_deep_files();
     return num_failures ? EXIT_FAILURE : EXIT_SUCCESS;
