@@ -10,8 +10,12 @@ enum { min_cell = 4, max_cell = 1 << 14 };
 /* Making a texel takes as long as this many pixels that read one. */
 #define TEXEL_COST 12.0
 
-/* Triangles thinner than this, in pixels, are seen along their plane: it does not say where. */
-#define THIN 1e-3
+/* Triangles thinner than this, in pixels, are slivers or seen along their plane, whose affine key
+ * magnifies the rounding of the pixel: what is met is on the longest side. */
+#define THIN 1e-4
+
+/* Sides shorter than this, in pixels, are seen end on: they have no direction. */
+#define SHORT 1e-2
 
 /* Coordinates rounded to float are off by less than this, in pixels, and by this share. */
 #define PIXEL_MARGIN 1e-3
@@ -112,6 +116,27 @@ static struct csg_plane carrier_of(const struct record *record, uint32_t triangl
                                flipped);
 }
 
+/* The key along the longest side, the same across it; of a point, that of its middle. */
+static void fill_thin(const struct csg_view_point *corners[3], double plane[4])
+{
+    const struct csg_view_point *a = corners[0], *b = corners[0];
+    double longest = SHORT * SHORT;
+    for (int i = 0; i < 3; i++) {
+        const struct csg_view_point *p = corners[i], *q = corners[(i + 1) % 3];
+        const double length = (q->x - p->x) * (q->x - p->x) + (q->y - p->y) * (q->y - p->y);
+        if (length > longest) {
+            longest = length;
+            a = p;
+            b = q;
+        }
+    }
+    const double slope = (b->key - a->key) / longest;
+    plane[1] = slope * (b->x - a->x);
+    plane[2] = slope * (b->y - a->y);
+    plane[0] = a == b ? (corners[0]->key + corners[1]->key + corners[2]->key) / 3
+                      : a->key - plane[1] * a->x - plane[2] * a->y;
+}
+
 static void fill_plane(const struct record *record, struct face *face, bool thin)
 {
     const struct csg_frame *frame = record->terms->frame;
@@ -121,14 +146,15 @@ static void fill_plane(const struct record *record, struct face *face, bool thin
     if (!thin)
         return;
     const struct csg_surface_view *view = record->view;
-    const uint32_t *corners = view->surface->triangles.data[face->triangle].points;
-    double key = 0;
-    for (int i = 0; i < 3; i++)
-        key += view->points[corners[i]].key / 3;
-    if (isnan(key))
-        return;
-    face->plane[0] = key;
-    face->plane[1] = face->plane[2] = 0;
+    const uint32_t *points = view->surface->triangles.data[face->triangle].points;
+    const struct csg_view_point *corners[3];
+    double keys = 0;
+    for (int i = 0; i < 3; i++) {
+        corners[i] = &view->points[points[i]];
+        keys += corners[i]->key;
+    }
+    if (!isnan(keys))
+        fill_thin(corners, face->plane);
 }
 
 static bool add_face(struct record *record, uint32_t triangle)

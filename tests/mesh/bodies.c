@@ -113,3 +113,18 @@ void tube_put(struct text *text, int n, int m, struct dice *dice)
         }
     text_put(text, "]);\n");
 }
+
+/* Points 0 and 1 are the ends of the edge, 2 i + 2 and 2 i + 3 those of the side across. */
+void fan_put(struct text *text, int n)
+{
+    text_put(text, "polyhedron(points = [[0, 0, 0], [0, 0, 10]");
+    for (int i = 0; i <= n; i++)
+        text_put(text, ", [50, %.17g, 0], [50, %.17g, 10]", 50.0 * i / n, 50.0 * i / n);
+    text_put(text, "], faces = [[0, 1, 3, 2], [0, %d, %d, 1]", 2 * n + 2, 2 * n + 3);
+    for (int i = 0; i < n; i++) {
+        const int a = 2 * i + 2;
+        text_put(text, ", [0, %d, %d], [1, %d, %d], [%d, %d, %d, %d]", a, a + 2, a + 3, a + 1, a,
+                 a + 1, a + 3, a + 2);
+    }
+    text_put(text, "]);\n");
+}

@@ -25,4 +25,7 @@ void voxels_put_polyhedron(struct text *text, const struct voxels *voxels, int c
  * itself; 4 units large, about the origin. */
 void tube_put(struct text *text, int n, int m, struct dice *dice);
 
+/* A wedge of 50 by 50 by 10 units whose bottom and top are n slivers each, from its edge on z. */
+void fan_put(struct text *text, int n);
+
 #endif

@@ -3,7 +3,8 @@
 /*
  * Surfaces of triangles. Solids made of cubes must look the same when they are written as one
  * polyhedron of many faces, in Booleans with flush faces and with rays exactly through edges and
- * corners; tubes that cross themselves must look as the reference has them.
+ * corners; tubes that cross themselves, and slivers seen nearly along their planes, must look as the
+ * reference has them.
  *
  *     mesh [--backend=egl|osmesa|reference] [--rounds=N] [--size=PIXELS] [--seed=S]
  */
@@ -21,7 +22,7 @@
 #define MAX_EDGE_SHARE 4e-3  /* pixels that may differ within a pixel of an edge */
 
 /* More faces than polyhedra are cut into convex solids for. */
-enum { CUTS = 8, TUBE_N = 60, TUBE_M = 40 };
+enum { CUTS = 8, TUBE_N = 60, TUBE_M = 40, FAN_N = 3000 };
 
 /* P, Q: solids made of cubes; T, U: tubes. */
 static const char *const formulas[] = {
@@ -207,6 +208,32 @@ static void check(struct run *run, const char *formula, const struct operands *o
     csgcast_scene_destroy(scene);
 }
 
+/* Slivers far thinner than a pixel, seen nearly along their planes: the depth is still that of the
+ * plane. */
+static void check_fan(struct run *run)
+{
+    struct text text = {0};
+    fan_put(&text, FAN_N);
+    const struct csgcast_scene_params params = {.name = "fan"};
+    struct csgcast_scene *scene = csgcast_scene_parse(text.data, text.num, &params);
+    text_free(&text);
+    for (int i = 0; i < 8; i++) {
+        struct csgcast_view view = {.width = run->size, .height = run->size};
+        view.camera = (struct csgcast_camera){.kind = CSGCAST_CAMERA_GIMBAL,
+                                              .translate = {25, 12, 5},
+                                              .rotate = {i < 4 ? 89.5 : 90.4, 0, 40 + 25 * i},
+                                              .distance = 200,
+                                              .fov = 12};
+        view.camera.projection = i % 2 ? CSGCAST_ORTHOGRAPHIC : CSGCAST_PERSPECTIVE;
+        if (scene && picture_render(run->reference, scene, &view, &run->expected) &&
+            picture_render(run->renderer, scene, &view, &run->got))
+            judge(run, "fan", i % 2 ? "orthographic" : "perspective", false);
+        else
+            run->failed++;
+    }
+    csgcast_scene_destroy(scene);
+}
+
 static struct csgcast_renderer *make_renderer(enum csgcast_backend backend)
 {
     const struct csgcast_renderer_params params = {.backend = backend};
@@ -251,6 +278,7 @@ int main(int argc, char **argv)
         }
         free_operands(&operands);
     }
+    check_fan(&run);
     printf("%s: %d rounds, %d pictures failed\n", run.failed ? "FAIL" : "ok", rounds, run.failed);
     picture_free(&run.expected);
     picture_free(&run.got);
