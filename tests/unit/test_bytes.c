@@ -119,8 +119,8 @@ static void check_bands(void)
         "difference() { cube([20, 20, 20]); sphere(r = 13); cylinder(h = 30, r1 = 6, r2 = 6); "
         "multmatrix([[0, 0, 1, 0], [0, 1, 0, 9], [-1, 0, 0, 12], [0, 0, 0, 1]]) "
         "cylinder(h = 30, r1 = 4, r2 = 6); }";
-    const size_t num = 4 * 2503 * 2100;
-    struct csgcast_view view = {.width = 2503, .height = 2100};
+    const size_t num = 4 * 4000 * 1500;
+    struct csgcast_view view = {.width = 4000, .height = 1500};
     uint8_t *tiles = malloc(num), *whole = malloc(num);
     const struct csgcast_image in_tiles = {.rgba8 = tiles}, as_whole = {.rgba8 = whole};
     struct csgcast_scene *scene = csgcast_scene_parse(text, sizeof text - 1, NULL);
