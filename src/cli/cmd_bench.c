@@ -6,14 +6,17 @@
 /* csgcast bench: what the first image and later frames of scenes cost. */
 
 #include "commands.h"
+#include "ending.h"
 #include "json.h"
 #include "measure.h"
 #include "messages.h"
 #include "options.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,6 +38,8 @@ static bool read_all(int file, void *bytes, size_t size)
 static void run_child(const struct csg_cli_options *options, const char *input, int file)
 {
     struct csg_measurement result;
+    csg_ending_begin();
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
     const bool good = csg_measure(options, input, &result) &&
                       write(file, &result, sizeof result) == (ssize_t)sizeof result;
     close(file);

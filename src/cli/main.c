@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "csgcast/csgcast.h"
+#include "ending.h"
 #include "messages.h"
 #include "options.h"
 #include "values.h"
@@ -152,5 +153,6 @@ int main(int argc, char **argv)
     const struct csg_cli_command *command = find_command(name);
     if (!command)
         return (int)complain_command(name);
+    csg_ending_begin();
     return (int)run_command(command, argc - 2, argv + 2);
 }

@@ -12,6 +12,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,4 +151,22 @@ void csg_folder_remove(struct csg_folder *folder)
     close(folder->lock);
     free(folder->path);
     *folder = (struct csg_folder){0};
+}
+
+/* The folders that this process holds are among its open files. */
+void csg_folder_remove_all(void)
+{
+    DIR *stream = opendir("/proc/self/fd");
+    for (struct dirent *item = stream ? readdir(stream) : NULL; item; item = readdir(stream)) {
+        char path[PATH_MAX];
+        const ssize_t length = readlinkat(dirfd(stream), item->d_name, path, sizeof path - 1);
+        path[length > 0 ? length : 0] = '\0';
+        const char *name = strrchr(path, '/');
+        if (name && strncmp(name + 1, PREFIX, strlen(PREFIX)) == 0) {
+            remove_files((int)strtol(item->d_name, NULL, 10));
+            rmdir(path);
+        }
+    }
+    if (stream)
+        closedir(stream);
 }

@@ -25,4 +25,7 @@ bool csg_folder_has_room(const struct csg_folder *folder);
 /* Removes the folder and the files in it. */
 void csg_folder_remove(struct csg_folder *folder);
 
+/* Removes all folders of this process, whatever uses them: it is about to end. */
+void csg_folder_remove_all(void);
+
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #ifndef _GNU_SOURCE
-#define _GNU_SOURCE /* posix_spawn_file_actions_addchdir_np */
+#define _GNU_SOURCE /* execvpe, vfork */
 #endif
 
 #include "common/process.h"
@@ -10,8 +10,8 @@
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,32 +24,70 @@ enum { status_not_started = 127 };
 
 static const size_t chunk_size = 1 << 14;
 
-static int add_actions(posix_spawn_file_actions_t *actions, int output, const char *input,
-                       const char *directory)
+/* What a child is to become; error is of the call by which it did not, else 0. */
+struct program {
+    char *const *argv, *const *environment;
+    const char *input, *directory;
+    int output;
+    pid_t parent;
+    volatile int error;
+};
+
+/* The parent's handlers are none of the child's, and its threads may have blocked everything. */
+static void reset_signals(void)
 {
-    int error = posix_spawn_file_actions_addopen(actions, STDIN_FILENO, input ? input : "/dev/null",
-                                                 O_RDONLY, 0);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(actions, output, STDOUT_FILENO);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(actions, output, STDERR_FILENO);
-    if (!error && directory)
-        error = posix_spawn_file_actions_addchdir_np(actions, directory);
-    return error;
+    struct sigaction action;
+    sigset_t none;
+    for (int number = 1; number < NSIG; number++) {
+        if (sigaction(number, NULL, &action) || action.sa_handler == SIG_IGN ||
+            action.sa_handler == SIG_DFL)
+            continue;
+        action.sa_flags = 0;
+        action.sa_handler = SIG_DFL;
+        sigaction(number, &action, NULL);
+    }
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
 }
 
-static int spawn(struct csg_process *process, char *const *argv, int output, const char *input,
-                 const char *directory, char *const *environment)
+static bool redirect(const struct program *program)
 {
-    posix_spawn_file_actions_t actions;
-    int error = posix_spawn_file_actions_init(&actions);
-    if (error)
-        return error;
-    error = add_actions(&actions, output, input, directory);
-    if (!error)
-        error = posix_spawnp(&process->pid, argv[0], &actions, NULL, argv,
-                             environment ? environment : environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const int input = open(program->input ? program->input : "/dev/null", O_RDONLY);
+    const bool ok = input >= 0 && dup2(input, STDIN_FILENO) >= 0 &&
+                    dup2(program->output, STDOUT_FILENO) >= 0 &&
+                    dup2(program->output, STDERR_FILENO) >= 0 &&
+                    (!program->directory || chdir(program->directory) == 0);
+    if (input > STDERR_FILENO)
+        close(input);
+    return ok;
+}
+
+/* The parent's memory until exec: nothing is allocated or kept. It ends with the thread that waits
+ * for it, however that ends. */
+static void become(struct program *program)
+{
+    reset_signals();
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() == program->parent && redirect(program))
+        execvpe(program->argv[0], program->argv, program->environment);
+    program->error = errno;
+    _exit(status_not_started);
+}
+
+/* As posix_spawnp, which cannot say that a child is to end with its parent. */
+static int spawn(struct csg_process *process, struct program *program)
+{
+    sigset_t all, previous;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &previous);
+    const pid_t child = vfork();
+    if (child == 0)
+        become(program);
+    const int error = child < 0 ? errno : program->error;
+    pthread_sigmask(SIG_SETMASK, &previous, NULL);
+    if (child > 0 && error)
+        waitpid(child, NULL, 0);
+    process->pid = child;
     return error;
 }
 
@@ -62,7 +100,13 @@ int csg_process_start(struct csg_process *process, char *const *argv, const char
         return errno;
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    const int error = spawn(process, argv, ends[1], input, directory, environment);
+    struct program program = {.argv = argv,
+                              .environment = environment ? environment : environ,
+                              .input = input,
+                              .directory = directory,
+                              .output = ends[1],
+                              .parent = getpid()};
+    const int error = spawn(process, &program);
     close(ends[1]);
     if (error) {
         close(ends[0]);

@@ -2,7 +2,10 @@
 #ifndef CSG_COMMON_PROCESS_H
 #define CSG_COMMON_PROCESS_H
 
-/* Programs that run beside us: what they print is collected, several are waited for at once. */
+/*
+ * Programs that run beside us: what they print is collected, several are waited for at once. They
+ * end with the thread that has started them, so with a process that is killed.
+ */
 
 #include <sys/types.h>
 

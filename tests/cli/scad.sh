@@ -166,14 +166,27 @@ touch tmp/csgcast-run-abcde tmp/other-abcdef
 mkdir tmp/csgcast-run-secret
 chmod 755 tmp/csgcast-run-secret
 mktemp -d tmp/csgcast-XXXXXX >/dev/null
+# ended GROUP: no process of this group runs any more, those that are not yet waited for aside.
+ended()
+{
+    for _ in {1..100}; do
+        awk -v group="$1" '$5 == group && $3 != "Z" { runs = 1 } END { exit runs }' \
+            /proc/[0-9]*/stat 2>/dev/null && return 0
+        sleep 0.05
+    done
+    return 1
+}
+
 kill -KILL "$killed"
 wait "$killed" 2>/dev/null
+check "a killed call takes its openscad with it" ended "$killed"
 expect 0 "a call after one that was killed" info cube.scad --no-gl
 check "its folder is gone, the other's and what is not ours stays" \
     test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 6
-kill -KILL -- "-$killed" "-$living"
+kill -TERM "$living"
 wait "$living" 2>/dev/null
-expect 0 "a call after both were killed" info cube.scad --no-gl
-check "both folders are gone" test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 4
+check "SIGTERM gives 143" test $? -eq 143
+check "an ended call takes its openscad with it" ended "$living"
+check "and its folder" test "$(find tmp -mindepth 1 -printf . | wc -c)" -eq 4
 
 finish
