@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef _XOPEN_SOURCE
-#define _XOPEN_SOURCE 700 /* realpath */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* O_TMPFILE, realpath */
 #endif
+
+/*
+ * Where the file system can, the file has no name until it is finished, so that nothing is left of
+ * it however the process ends. Elsewhere it has one beside its target.
+ */
 
 #include "common/destination.h"
 
@@ -71,24 +76,48 @@ static void find_folder(const struct csg_destination *to, char folder[PATH_MAX])
         strcpy(folder, "./");
 }
 
-/* Keeps the extension: some formats go by it. */
+/* A name beside the target. It keeps the extension: some formats go by it. */
+static void name_beside(char name[CSG_DESTINATION_MAX], const char *folder, int number,
+                        const char *extension)
+{
+    snprintf(name, CSG_DESTINATION_MAX, "%s.csgcast-%ld-%d.%s", folder, (long)getpid(), number,
+             extension);
+}
+
+static bool make_nameless(struct csg_destination *to, const char *folder, mode_t mode)
+{
+    to->file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+    if (to->file < 0)
+        return false;
+    snprintf(to->temporary, sizeof to->temporary, "/proc/self/fd/%d", to->file);
+    if (access(to->temporary, R_OK | W_OK) == 0)
+        return true;
+    close(to->file); /* there is no /proc */
+    to->file = -1;
+    return false;
+}
+
+static bool make_named(struct csg_destination *to, const char *folder, const char *extension,
+                       mode_t mode)
+{
+    for (int i = 0; i < MAX_TEMPORARIES && to->file < 0; i++) {
+        name_beside(to->temporary, folder, i, extension);
+        to->file = open(to->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (to->file < 0 && errno != EEXIST)
+            break;
+    }
+    return to->file >= 0;
+}
+
 static bool make_temporary(struct csg_destination *to, const char *extension)
 {
     char folder[PATH_MAX];
     find_folder(to, folder);
     const mode_t mode = to->target[0] ? 0666 : 0600; /* less what umask takes away */
-    int file = -1;
-    for (int i = 0; i < MAX_TEMPORARIES && file < 0; i++) {
-        snprintf(to->temporary, sizeof to->temporary, "%s.csgcast-%ld-%d.%s", folder,
-                 (long)getpid(), i, extension);
-        file = open(to->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file < 0 && errno != EEXIST)
-            break;
-    }
-    if (file >= 0) {
+    to->is_nameless = make_nameless(to, folder, mode);
+    if (to->is_nameless || make_named(to, folder, extension, mode)) {
         if (to->mode)
-            fchmod(file, to->mode);
-        close(file);
+            fchmod(to->file, to->mode);
         return true;
     }
     to->temporary[0] = '\0';
@@ -99,7 +128,7 @@ static bool make_temporary(struct csg_destination *to, const char *extension)
 
 bool csg_destination_open(struct csg_destination *to, const char *extension)
 {
-    to->stream = -1;
+    to->stream = to->file = -1;
     return find_target(to) && make_temporary(to, extension);
 }
 
@@ -131,11 +160,37 @@ static bool copy_to_stream(const struct csg_destination *to)
     return ok;
 }
 
+static bool link_to(const struct csg_destination *to, const char *name)
+{
+    return linkat(AT_FDCWD, to->temporary, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+}
+
+/* What is there already cannot be linked over, but renamed over. */
+static bool give_name(struct csg_destination *to)
+{
+    char folder[PATH_MAX], beside[CSG_DESTINATION_MAX];
+    bool linked = false;
+    if (link_to(to, to->target))
+        return true;
+    find_folder(to, folder);
+    for (int i = 0; i < MAX_TEMPORARIES && errno == EEXIST && !linked; i++) {
+        name_beside(beside, folder, i, "part");
+        linked = link_to(to, beside);
+    }
+    if (linked && rename(beside, to->target) == 0)
+        return true;
+    const int error = errno;
+    if (linked)
+        unlink(beside);
+    errno = error;
+    return false;
+}
+
 bool csg_destination_commit(struct csg_destination *to)
 {
     if (to->stream >= 0)
         return copy_to_stream(to);
-    if (rename(to->temporary, to->target) != 0)
+    if (!(to->is_nameless ? give_name(to) : rename(to->temporary, to->target) == 0))
         return csg_destination_fail(to, strerror(errno));
     to->temporary[0] = '\0';
     return true;
@@ -143,8 +198,10 @@ bool csg_destination_commit(struct csg_destination *to)
 
 void csg_destination_close(struct csg_destination *to)
 {
-    if (to->temporary[0])
+    if (to->temporary[0] && !to->is_nameless)
         unlink(to->temporary);
+    if (to->file >= 0)
+        close(to->file);
     if (to->stream >= 0 && to->stream != STDOUT_FILENO)
         close(to->stream);
 }

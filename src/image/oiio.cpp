@@ -161,8 +161,10 @@ void save(const char *path, const std::vector<unsigned char> &bytes)
 /* For formats whose writers do not tell of a full disk or of what they cannot encode. */
 void read_back(const csg_image_file &file)
 {
-    const auto in = OIIO::ImageInput::open(file.path);
-    bool ok = in && in->spec().width == file.width && in->spec().height == file.height;
+    OIIO::ImageSpec spec;
+    const auto in = OIIO::ImageInput::create(file.format); /* the path need not tell */
+    bool ok = in && in->open(file.path, spec) && spec.width == file.width &&
+              spec.height == file.height;
     std::vector<float> row(ok ? size_t(file.width) * size_t(in->spec().nchannels) : 0);
     for (int y = 0; ok && y < file.height; y++)
         ok = in->read_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data());
