@@ -22,13 +22,53 @@ struct search {
     atomic_bool is_out_of_memory;
 };
 
-/* Marks the planes of triangles that the box, in the surface's space, may meet. */
-static bool mark(const struct csg_surface *surface, const struct csg_box *box, uint8_t *near)
+/* Another leaf, seen from the space of the surface. */
+struct other {
+    const struct csg_surface *surface; /* its triangles; NULL: it is no surface */
+    struct csg_map enter;              /* takes the surface's space to the other's */
+    struct csg_box box;                /* all of it, and what lies within reach of it */
+    double reach;
+};
+
+static struct other other_of(const struct csgcast_scene *scene, const struct csg_map *frame,
+                             const struct csg_map *inverse, uint32_t leaf, double reach)
+{
+    const struct csg_shape *shape = &scene->leaves[leaf].shape;
+    const struct csg_map map = csg_map_multiply(inverse, &shape->frame);
+    const struct csg_box box = csg_box_map(&map, &shape->bounds);
+    struct csg_map back;
+    struct other other = {.reach = reach * csg_map_stretch(inverse)};
+    other.box = csg_box_grown(&box, other.reach);
+    if (shape->surface && csg_map_invert(&shape->frame, &back)) {
+        other.surface = shape->surface;
+        other.enter = csg_map_multiply(&back, frame);
+    }
+    return other;
+}
+
+/* Whether some triangle of the other one may come near the box. */
+static bool comes_near(const struct other *other, const struct csg_box *box)
+{
+    const struct csg_box around = csg_box_grown(box, other->reach);
+    const struct csg_box there = csg_box_map(&other->enter, &around);
+    const struct csg_box_node *nodes = other->surface->nodes.data;
+    for (size_t i = 0; i < other->surface->nodes.num;) {
+        const bool meets = csg_box_overlaps(&nodes[i].box, &there);
+        if (meets && nodes[i].num > 0)
+            return true;
+        i = meets ? i + 1 : nodes[i].end;
+    }
+    return false;
+}
+
+/* Marks the planes of triangles that the other one may meet. */
+static bool mark(const struct csg_surface *surface, const struct other *other, uint8_t *near)
 {
     const struct csg_box_node *nodes = surface->nodes.data;
     bool is_any = false;
     for (size_t i = 0; i < surface->nodes.num;) {
-        if (!csg_box_overlaps(&nodes[i].box, box)) {
+        if (!csg_box_overlaps(&nodes[i].box, &other->box) ||
+            (nodes[i].num && other->surface && !comes_near(other, &nodes[i].box))) {
             i = nodes[i].end;
             continue;
         }
@@ -38,16 +78,6 @@ static bool mark(const struct csg_surface *surface, const struct csg_box *box, u
         i++;
     }
     return is_any;
-}
-
-/* The other leaf's box in the space of the surface, and what lies within reach of it there. */
-static struct csg_box enter(const struct csgcast_scene *scene, const struct csg_map *inverse,
-                            uint32_t other, double reach)
-{
-    const struct csg_shape *shape = &scene->leaves[other].shape;
-    const struct csg_map map = csg_map_multiply(inverse, &shape->frame);
-    const struct csg_box box = csg_box_map(&map, &shape->bounds);
-    return csg_box_grown(&box, reach * csg_map_stretch(inverse));
 }
 
 /* NULL: none, or out of memory. */
@@ -63,8 +93,9 @@ static uint8_t *mark_near(struct search *search, uint32_t leaf, double reach,
     if (!near)
         atomic_store(&search->is_out_of_memory, true);
     for (size_t i = 0; near && i < others->num; i++) {
-        const struct csg_box box = enter(search->scene, &inverse, others->data[i], reach);
-        is_any |= others->data[i] != leaf && mark(surface, &box, near);
+        const struct other other =
+            other_of(search->scene, &shape->frame, &inverse, others->data[i], reach);
+        is_any |= others->data[i] != leaf && mark(surface, &other, near);
     }
     for (uint32_t i = 0; is_any && i < surface->planes.num; i++)
         near[i] = near[surface->own[i].plane];

@@ -3,8 +3,8 @@
 #define CSG_CSG_REMOTE_H
 
 /*
- * Remote: faces of a surface that no other solid's box comes near. No ray meets another solid's
- * face where it meets a remote one, so nobody needs to look for what it coincides with, but for
+ * Remote: faces of a surface that no other solid's box comes near, or, where that is a surface too,
+ * none of the boxes of its triangles. No ray meets another solid's face where it meets a remote one, so nobody needs to look for what it coincides with, but for
  * faces of its own surface (own_faces.h).
  */
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Faces of a twisted extrusion: those that another solid comes near are compared with it, the
- * others have their own carriers; one that folds over itself has none that is known to be apart.
+ * others have their own carriers. Of two surfaces those are compared that come near a triangle. One
+ * that folds over itself has none that is known to be apart.
  */
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +37,7 @@ static size_t count_shared(const struct csgcast_scene *scene, size_t leaf)
         for (uint32_t k = 0; k < carriers->face_begin[scene->num_leaves]; k++)
             is_shared |= (k < carriers->face_begin[leaf] || k >= carriers->face_begin[leaf + 1]) &&
                          carriers->faces[k].carrier == carriers->faces[i].carrier;
-        num += is_shared;
+        num += is_shared && carriers->faces[i].carrier != CSG_NO_CARRIER;
     }
     return num;
 }
@@ -66,6 +67,28 @@ static void test_flush(const char *second, size_t num_shared)
     csgcast_scene_destroy(scene);
 }
 
+/* Two surfaces, one within the other: of their faces only caps come near, which are flush. The
+ * inner one's are 38 triangles each. */
+static void test_nested(void)
+{
+    struct csgcast_scene *scene =
+        scene_of("difference() { linear_extrude(height = 20, twist = 60, slices = 100)"
+                 " circle(r = 10, $fn = 40); linear_extrude(height = 20, twist = 60, slices = 100)"
+                 " circle(r = 5, $fn = 40); }");
+    if (!scene)
+        return;
+    const struct csg_carriers *carriers = scene->carriers;
+    const uint32_t *begin = carriers->face_begin;
+    size_t num_near = 0;
+    for (uint32_t i = begin[0]; i < begin[1]; i++)
+        num_near += carriers->faces[i].carrier != CSG_NO_CARRIER;
+    CHECK(num_near > 0 && 20 * num_near < begin[1], "%zu of %u faces are compared", num_near,
+          begin[1]);
+    CHECK(begin[2] > begin[1] && count_shared(scene, 1) == 2 * 38, "%zu faces are shared",
+          count_shared(scene, 1));
+    csgcast_scene_destroy(scene);
+}
+
 static void test_folded(void)
 {
     struct csgcast_scene *scene =
@@ -85,6 +108,7 @@ int main(void)
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,10],[0,0,0,1]]) cube([40, 40, 11]);", 0);
     /* Touches it from below: left out. */
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,-5],[0,0,0,1]]) cube([40, 40, 5]);", 0);
+    test_nested();
     test_folded();
     return num_failed > 0;
 }
