@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * OpenSCAD does not mix two and three dimensions: among the children of a node the first one
- * decides and those that differ are dropped with a warning. Here the outermost union takes the
- * solids wherever there are some.
+ * decides and those that differ are dropped with a warning. Its preview shows all of the outermost
+ * union, figures as slabs, though; so it is here where a figure comes first: no mesh is made of that.
  */
 #include "scene/walk.h"
 
@@ -25,10 +25,30 @@ static void find_dimensions(struct csg_builder *builder)
     }
 }
 
+/* A drawing that no extrusion is around: maps, colours and Booleans act on slabs as on solids. */
+static void make_slabs(struct csg_builder *builder, uint32_t root)
+{
+    const struct csg_parsed_node *nodes = builder->document->nodes.data;
+    for (uint32_t i = root; i < nodes[root].end;) {
+        struct csg_meaning *meaning = &builder->meanings[i];
+        const bool is_drawn = meaning->dimension == 2 && (meaning->role == CSG_ROLE_FIGURE ||
+                                                          meaning->role == CSG_ROLE_FLATTEN ||
+                                                          meaning->role == CSG_ROLE_COMPOUND);
+        meaning->is_slab = is_drawn;
+        if (is_drawn)
+            meaning->kind = CSG_KIND_DRAWING;
+        i = is_drawn || !csg_has_children(meaning) ? nodes[i].end : i + 1;
+    }
+}
+
 static void check_child(struct csg_builder *builder, uint32_t child, uint8_t wanted)
 {
     const struct csg_parsed_node *parsed = &builder->document->nodes.data[child];
     struct csg_meaning *meaning = &builder->meanings[child];
+    if (meaning->dimension == 2 && wanted != 2 && parsed->modifiers & CSG_MODIFIER_BACKGROUND) {
+        make_slabs(builder, child);
+        return;
+    }
     if (meaning->dimension == 0 || meaning->dimension == wanted || wanted == 0)
         return;
     meaning->is_misplaced = true;
@@ -68,34 +88,18 @@ static void check_nodes(struct csg_builder *builder)
     }
 }
 
-/* A drawing by itself: maps, colours and Booleans act on slabs as they do on solids. */
-static void make_slabs(struct csg_builder *builder, uint32_t root)
-{
-    const struct csg_parsed_node *nodes = builder->document->nodes.data;
-    for (uint32_t i = root; i < nodes[root].end;) {
-        struct csg_meaning *meaning = &builder->meanings[i];
-        const bool is_drawn = meaning->dimension == 2 && (meaning->role == CSG_ROLE_FIGURE ||
-                                                          meaning->role == CSG_ROLE_FLATTEN ||
-                                                          meaning->role == CSG_ROLE_COMPOUND);
-        meaning->is_slab = is_drawn;
-        if (is_drawn)
-            meaning->kind = CSG_KIND_DRAWING;
-        i = is_drawn || !csg_has_children(meaning) ? nodes[i].end : i + 1;
-    }
-}
-
 static void check_roots(struct csg_builder *builder)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
-    bool has_solid = false;
-    for (uint32_t i = builder->begin; i < builder->end; i = nodes[i].end)
-        has_solid |= !is_off(builder, i) && builder->meanings[i].dimension == 3;
+    uint8_t first = 0;
+    for (uint32_t i = builder->begin; i < builder->end && first == 0; i = nodes[i].end)
+        first = is_off(builder, i) ? 0 : builder->meanings[i].dimension;
     for (uint32_t i = builder->begin; i < builder->end; i = nodes[i].end) {
         const struct csg_meaning *meaning = &builder->meanings[i];
         if (meaning->dimension != 2 || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
             meaning->role == CSG_ROLE_UNSUPPORTED)
             continue;
-        if (has_solid)
+        if (first == 3)
             check_child(builder, i, 3);
         else
             make_slabs(builder, i);

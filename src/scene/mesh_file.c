@@ -103,24 +103,32 @@ static enum csg_mesh_file read_binary(const struct csg_bytes *bytes, struct csg_
     return ok ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
 }
 
-/* Of a text only the lines with a vertex matter; each three are a triangle. */
+/* Of a text only the lines with a vertex matter; each three are a triangle, and a fourth one before
+ * the next loop begins is an error. */
 static enum csg_mesh_file read_text(const struct csg_bytes *bytes, struct csg_mesh *mesh,
                                     size_t *line)
 {
     struct csg_words words = words_of(bytes);
+    int in_loop = 0;
     bool ok = true;
     for (bool more = true; more && ok; more = csg_words_next_line(&words)) {
         const char *word;
         size_t length;
         struct csg_vec3 p;
-        if (!csg_words_next(&words, &word, &length) || !is_word(word, length, "vertex"))
+        if (!csg_words_next(&words, &word, &length))
+            continue;
+        if (is_word(word, length, "outer")) {
+            in_loop = 0;
+            ok = csg_mesh_close_face(mesh); /* of less than three corners: none */
+        }
+        if (!is_word(word, length, "vertex"))
             continue;
         *line = words.line;
-        if (!read_point(&words, &p))
+        if (in_loop++ == 3 || !read_point(&words, &p))
             return CSG_MESH_FILE_MALFORMED;
-        ok = add_corner(mesh, p) && (mesh->points.num % 3 != 0 || csg_mesh_close_face(mesh));
+        ok = ok && add_corner(mesh, p) && (in_loop < 3 || csg_mesh_close_face(mesh));
     }
-    mesh->corners.num -= mesh->points.num % 3;
+    ok = ok && csg_mesh_close_face(mesh);
     mesh->rounding = mesh->size * text_rounding;
     return ok ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
 }

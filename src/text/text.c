@@ -225,7 +225,9 @@ static hb_script_t detect_script(hb_buffer_t *buffer)
     return script;
 }
 
-/* Symbol fonts have their characters from U+F000 on. */
+/* Symbol fonts have their characters from here on. */
+enum { first_symbol = 0xf000 };
+
 static void add_symbols(hb_buffer_t *buffer, const char *text)
 {
     hb_buffer_t *decoded = hb_buffer_create();
@@ -234,7 +236,7 @@ static void add_symbols(hb_buffer_t *buffer, const char *text)
     const hb_glyph_info_t *infos = hb_buffer_get_glyph_infos(decoded, &num);
     for (unsigned i = 0; i < num; i++) {
         const hb_codepoint_t c = infos[i].codepoint;
-        const uint32_t symbol = c < 0x100 ? c + 0xf000 : c;
+        const uint32_t symbol = c < 0x100 ? c + first_symbol : c;
         hb_buffer_add_utf32(buffer, &symbol, 1, 0, 1);
     }
     hb_buffer_destroy(decoded);
@@ -242,8 +244,10 @@ static void add_symbols(hb_buffer_t *buffer, const char *text)
 
 static bool is_symbol_font(FT_Face face)
 {
+    FT_UInt glyph = 0;
     return face->charmap && face->charmap->platform_id == TT_PLATFORM_MICROSOFT &&
-           face->charmap->encoding_id == TT_MS_ID_SYMBOL_CS;
+           face->charmap->encoding_id == TT_MS_ID_SYMBOL_CS &&
+           FT_Get_First_Char(face, &glyph) >= first_symbol && glyph != 0;
 }
 
 static void shape(FT_Face face, const struct csg_text *text, hb_buffer_t *buffer)

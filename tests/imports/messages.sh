@@ -52,6 +52,28 @@ place='scene.csg:1:1: import:'
 printf '0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n1,5\n0\nENDSEC\n' >comma.dxf
 says comma.dxf "warning: $place comma.dxf:8: '1,5' is no number; it is left out"
 says comma.dxf "warning: $place comma.dxf:10: 'ENDSEC': the entity before has too few points"
+stl_loop()
+{
+    printf 'facet normal 0 0 1\nouter loop\n'
+    printf 'vertex %s\n' "$@"
+    printf 'endloop\nendfacet\n'
+}
+{
+    echo solid
+    stl_loop '0 0 0' '0 1 0' '1 0 0' '2 0 0'
+} >four.stl
+says four.stl "warning: $place four.stl:7: malformed; nothing is drawn"
+# A loop of two is none, and takes no corner of the next one.
+{
+    echo solid
+    stl_loop '9 9 9' '8 8 8'
+    stl_loop '0 0 0' '0 1 0' '1 0 0'
+    stl_loop '0 0 0' '1 0 0' '0 0 1'
+    stl_loop '0 0 0' '0 0 1' '0 1 0'
+    stl_loop '1 0 0' '0 1 0' '0 0 1'
+} >two.stl
+says two.stl 'bounds             0 0 0 to 1 1 1'
+
 printf '0\nSECTION\nx\ny\n0\nEOF\n' >code.dxf
 says code.dxf "warning: $place code.dxf:3: 'x' is no group code; the rest is left out"
 printf '0\nSECTION\n2\nENTITIES\n0\nSPLINE\n0\nENDSEC\n' >spline.dxf
