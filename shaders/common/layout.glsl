@@ -109,7 +109,6 @@
  * terms follow.
  */
 #define CSG_WALK_HEADER 7
-#define CSG_WALK_DEPTH 32 /* of splits */
 
 /* A bunch of a cell's literals (src/cells/bunch.h): multiples of 4. Of a literal's texel the number
  * is its surfaces by bit, planes from bit 0, quadrics behind them, and whether it is negated. */

@@ -17,6 +17,7 @@ csg_face csg_face_of(int place, vec2 d, float k)
     vec4 face = csg_texel(place);
     vec3 normal = face.xyz;
     float size = 1.0;
+#ifndef CSG_ONLY_PLANES
     if (face.w < 0.0) {
 #ifdef CSG_TEXTBOOK
         vec3 at = csg_ray_org(d) + k * csg_ray_dir(d);
@@ -33,6 +34,7 @@ csg_face csg_face_of(int place, vec2 d, float k)
             size = 1.0;
         }
     }
+#endif
     return csg_face(normal, size, k, (int(abs(face.w)) - 1) * 4);
 }
 

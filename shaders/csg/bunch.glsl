@@ -120,22 +120,21 @@ int csg_bunch_lowest(int bits)
     return (floatBitsToInt(float(bits & -bits)) >> 23) - 127;
 }
 
-float csg_bunch_least(vec4 keys, float k, float least)
+vec4 csg_bunch_behind(vec4 keys, float k, vec4 least)
 {
-    vec4 behind = mix(vec4(CSG_NEVER), keys, greaterThan(keys, vec4(k)));
-    return min(least, min(min(behind.x, behind.y), min(behind.z, behind.w)));
+    return min(mix(vec4(CSG_NEVER), keys, greaterThan(keys, vec4(k))), least);
 }
 
 /* The next key behind k. */
 float csg_bunch_next(csg_bunch bunch, float k)
 {
-    float next = CSG_NEVER;
+    vec4 least = vec4(CSG_NEVER);
     for (int i = 0; i < CSG_BUNCH_PLANES / 4; i++)
-        next = csg_bunch_least(bunch.keys[i], k, next);
+        least = csg_bunch_behind(bunch.keys[i], k, least);
 #ifdef CSG_HAS_QUADRIC
-    next = csg_bunch_least(bunch.leaves, k, csg_bunch_least(bunch.enters, k, next));
+    least = csg_bunch_behind(bunch.leaves, k, csg_bunch_behind(bunch.enters, k, least));
 #endif
-    return next;
+    return min(least.x, min(least.y, min(least.z, least.w)));
 }
 
 /*

@@ -6,8 +6,8 @@
 #include "cells/cells.h"
 #include "csg/side.h"
 
-/* The shader's stack holds a cut of each level at most. */
-#define MAX_DEPTH CSG_WALK_DEPTH
+/* Of cuts: rays take a step for some of them each time they begin at the root anew. */
+#define MAX_DEPTH 32
 
 /* Literals of a cell that are never worth a cut. */
 #define SMALL_CELL 4

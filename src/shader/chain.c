@@ -71,7 +71,7 @@ int csg_chain_find(const float *texels, size_t begin, size_t end)
     int64_t rank = 0;
     for (const float *head = texels + 4 * begin; head < texels + 4 * end; slots++) {
         const int flags = (int)head[2];
-        if (!is_link(texels, head, rank))
+        if (!is_link(texels, head, rank) || (slots == 0 && flags & CSG_RECORD_NEGATED))
             return -1;
         rank = rank_of(texels, head);
         quadrics |= flags & CSG_RECORD_QUADRIC;
@@ -160,6 +160,7 @@ static void add_slots(struct csg_text *text, const struct csg_chain *chain)
         add_reading(text, chain, i);
 }
 
+/* The first slot is a solid's. */
 static void add_spans(struct csg_text *text, const struct csg_chain *chain)
 {
     for (int i = 0; i < chain->slots; i++) {
@@ -168,16 +169,20 @@ static void add_spans(struct csg_text *text, const struct csg_chain *chain)
         if (chain->quadrics)
             csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i,
                          i, i, i);
-        csg_text_add(text, "    vec3 a%d = csg_chain_asks(h%d.x, l%d);\n", i, i, i);
+        if (i == 0)
+            csg_text_add(text, "    const bool c0 = false;\n    vec2 whole = l0.key;\n");
+        else
+            csg_text_add(text,
+                         "    bool c%d = h%d.x >= float(CSG_CHAIN_NEGATED);\n"
+                         "    vec2 o%d = csg_chain_hole(c%d, l%d, whole);\n",
+                         i, i, i, i, i);
     }
 }
 
 static void add_search(struct csg_text *text, const struct csg_chain *chain)
 {
-    csg_text_add(text, "    k = -CSG_KEY_MAX;\n    for (;;) {\n        float r0 = k;\n");
-    for (int i = 0; i < chain->slots; i++)
-        csg_text_add(text, "        r0 = csg_chain_next(a%d, r0);\n", i);
-    csg_text_end_search(text);
+    static const size_t slots[] = {1, 2, 3, 4};
+    csg_text_add_passing(text, "o%zu", slots, (size_t)chain->slots - 1);
 }
 
 static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
@@ -193,7 +198,7 @@ static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
     add_spans(text, chain);
     add_search(text, chain);
     for (int i = chain->slots; i-- > 0;)
-        csg_text_add(text, "    place = csg_chain_place(h%d, l%d, k, place);\n", i, i);
+        csg_text_add(text, "    place = csg_chain_place(c%d, h%d, l%d, k, place);\n", i, i, i);
     csg_text_add(text, "    return true;\n}\n");
 }
 

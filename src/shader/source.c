@@ -8,8 +8,8 @@
 
 #include "shader/files.h"
 
-const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain", "loop", "cells",
-                                                           "algorithm4", "double"};
+const char *const csg_resolver_names[CSG_NUM_RESOLVERS] = {"straight", "chain",      "loop",
+                                                           "cells",    "algorithm4", "double"};
 
 const char *csgcast_variant_name(size_t index)
 {
@@ -35,6 +35,41 @@ void csg_text_add(struct csg_text *text, const char *format, ...)
     }
     va_end(again);
     va_end(args);
+}
+
+/* So many holes are passed without a loop, whose end costs llvmpipe as much as some of them. */
+#define MAX_STRAIGHT_HOLES 4
+
+/* The largest of what the holes ask for, all of them at k: so none waits for another one. */
+static void add_holes(struct csg_text *text, const char *format, const size_t *holes, size_t num)
+{
+    for (size_t i = 0; i < num; i++) {
+        csg_text_add(text, "max(csg_outside(k, ");
+        csg_text_add(text, format, holes[i]);
+        csg_text_add(text, "), ");
+    }
+    csg_text_add(text, "-CSG_KEY_MAX");
+    for (size_t i = 0; i < num; i++)
+        csg_text_add(text, ")");
+}
+
+/* A ray leaves each hole once and for all, so it has left all of them when it has been asked as
+ * often as there are holes. */
+void csg_text_add_passing(struct csg_text *text, const char *format, const size_t *holes,
+                          size_t num)
+{
+    const bool loops = num > MAX_STRAIGHT_HOLES;
+    csg_text_add(text, "    k = whole.x;\n");
+    if (loops)
+        csg_text_add(text, "    float last;\n    do {\n    last = k;\n");
+    for (size_t i = 0; i < (loops ? 1 : num); i++) {
+        csg_text_add(text, "    k = ");
+        add_holes(text, format, holes, num);
+        csg_text_add(text, ";\n");
+    }
+    if (loops)
+        csg_text_add(text, "    } while (last < k && k < whole.y);\n");
+    csg_text_add(text, "    if (!(k < min(whole.y, csg_screen_key.z)))\n        return false;\n");
 }
 
 void csg_text_end_search(struct csg_text *text)
@@ -206,11 +241,11 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
         add_file(fragment, "csg/normals.glsl");
 }
 
-/* What becomes of a visible face. */
-static void add_visible(struct csg_text *fragment, bool direct)
+/* What becomes of a visible face. curved: it may be one of a quadric's. */
+static void add_visible(struct csg_text *fragment, bool direct, bool curved)
 {
     if (direct) {
-        csg_text_add(fragment, "#define CSG_DIRECT\n");
+        csg_text_add(fragment, "#define CSG_DIRECT\n%s", curved ? "" : "#define CSG_ONLY_PLANES\n");
         add_file(fragment, "common/light.glsl");
     }
     add_file(fragment, "passes/visible.glsl");
@@ -242,7 +277,8 @@ static void add_inputs(struct csg_text *vertex, struct csg_text *fragment, int f
 static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment,
                                          int features)
 {
-    add_visible(fragment, features & CSG_FEATURE_DIRECT);
+    add_visible(fragment, features & CSG_FEATURE_DIRECT,
+                features & (CSG_FEATURE_QUADRIC | CSG_FEATURE_BANDS));
     add_inputs(vertex, fragment, features);
     add_file(vertex, "passes/geometry.vert.glsl");
     add_file(fragment, "passes/geometry.frag.glsl");
@@ -269,8 +305,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int features)
 {
     struct csg_text vertex = {0}, fragment = {0};
-    start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN,
-                   chain->quadrics ? CSG_FEATURE_QUADRIC : 0);
+    features |= chain->quadrics ? CSG_FEATURE_QUADRIC : 0;
+    start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, features);
     add_file(&vertex, "csg/slots.glsl");
     if (chain->slots > chain->handed)
         add_file(&fragment, "csg/slots.glsl");
@@ -304,7 +340,7 @@ struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct
     add_file(&fragment, "solids/planes.glsl");
     if (run->has_quadric)
         add_file(&fragment, "solids/quadric.glsl");
-    add_visible(&fragment, direct);
+    add_visible(&fragment, direct, run->has_quadric);
     add_file(&fragment, "passes/single.frag.glsl");
     return finish_stages(&vertex, &fragment);
 }

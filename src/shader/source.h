@@ -123,6 +123,11 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features
 size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
                            const struct csg_structure *structure, int features, size_t max_handed);
 
+/* The search for the first true point in what some solids have in common, vec2 whole, less holes:
+ * spans that format and a number name. Returns false from csg_resolve where there is none. */
+void csg_text_add_passing(struct csg_text *text, const char *format, const size_t *holes,
+                          size_t num);
+
 /* The end of the search for the first true point, a loop whose body has left in r0 what the whole
  * tree says at k: a ray that meets nothing stays beyond all keys. */
 void csg_text_end_search(struct csg_text *text);

@@ -249,8 +249,8 @@ static void declare_registers(struct csg_text *text, const struct csg_structure 
     csg_text_add(text, ";\n");
 }
 
-static void add_search(struct csg_text *text, const struct csg_structure *structure,
-                       const struct leaf_code *leaves)
+static void add_loop(struct csg_text *text, const struct csg_structure *structure,
+                     const struct leaf_code *leaves)
 {
     csg_text_add(text, "    k = -CSG_KEY_MAX;\n    for (;;) {\n");
     declare_registers(text, structure, "        ", "float");
@@ -258,8 +258,7 @@ static void add_search(struct csg_text *text, const struct csg_structure *struct
     csg_text_end_search(text);
 }
 
-/* Solids and complements that must all be true: whichever of them became so at k is responsible,
- * and which of several is known by their order. */
+/* Solids and complements that must all be true. */
 static bool is_flat(const struct csg_structure *structure, const struct leaf_code *leaves)
 {
     for (size_t i = 0; i < structure->num; i++)
@@ -269,7 +268,33 @@ static bool is_flat(const struct csg_structure *structure, const struct leaf_cod
     return true;
 }
 
-/* The step that comes last in csg_choose's order, but for those that have come before. */
+static void add_flat_search(struct csg_text *text, const struct csg_structure *structure)
+{
+    size_t holes[CSG_STRAIGHT_MAX_STEPS], num = 0;
+    csg_text_add(text, "    vec2 whole = vec2(-CSG_KEY_MAX, CSG_NEVER);\n");
+    for (size_t i = 0; i < structure->num; i++)
+        if (structure->steps[i].flags & CSG_RECORD_NEGATED)
+            holes[num++] = i;
+        else
+            csg_text_add(text,
+                         "    whole.x = max(whole.x, s%zu.key.x);\n"
+                         "    whole.y = min(whole.y, s%zu.key.y);\n",
+                         i, i);
+    csg_text_add_passing(text, "s%zu.key", holes, num);
+}
+
+static void add_search(struct csg_text *text, const struct csg_structure *structure,
+                       const struct leaf_code *leaves)
+{
+    if (is_flat(structure, leaves))
+        add_flat_search(text, structure);
+    else
+        add_loop(text, structure, leaves);
+}
+
+/* Where all must be true, whichever of them became so at k is responsible, and which of several is
+ * known by their order: the step that comes last in csg_choose's, but for those that have come
+ * before. */
 static size_t last_choice(const struct csg_structure *structure, const struct leaf_code *leaves,
                           const bool *placed)
 {
