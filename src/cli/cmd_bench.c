@@ -76,33 +76,78 @@ static bool measure_apart(const struct csg_cli_options *options, const char *inp
 
 /* ---- what is printed ------------------------------------------------------------------------ */
 
+/* Where the first image's time went, but for making the OpenGL context. */
+static void print_first_stages(struct csg_json *json, const struct csgcast_stats *stats)
+{
+    csg_json_open(json, "first_stages_ms");
+    csg_json_number(json, "load", stats->load_ms);
+    csg_json_number(json, "csg", stats->csg_ms);
+    csg_json_number(json, "compile", stats->compile_ms);
+    csg_json_number(json, "tile", stats->tile_ms);
+    csg_json_number(json, "pack", stats->pack_ms);
+    csg_json_number(json, "upload", stats->upload_ms);
+    csg_json_number(json, "draw", stats->draw_ms);
+    csg_json_number(json, "read", stats->read_ms);
+    csg_json_close(json);
+}
+
+static void print_stages(struct csg_json *json, const struct csg_frame_times *medians)
+{
+    csg_json_open(json, "stages_ms");
+    csg_json_number(json, "edit", medians->edit);
+    csg_json_number(json, "csg", medians->csg);
+    csg_json_number(json, "tile", medians->tile);
+    csg_json_number(json, "pack", medians->pack);
+    csg_json_number(json, "upload", medians->upload);
+    csg_json_number(json, "draw", medians->draw);
+    csg_json_number(json, "read", medians->read);
+    csg_json_close(json);
+}
+
+static void print_times(struct csg_json *json, const struct csg_measurement *result)
+{
+    csg_json_number(json, "load_ms", result->load_ms);
+    csg_json_number(json, "first_image_ms", result->first_image_ms);
+    print_first_stages(json, &result->first);
+    csg_json_open(json, "frame_ms");
+    csg_json_number(json, "median", result->frame_ms.median);
+    csg_json_number(json, "min", result->frame_ms.min);
+    csg_json_number(json, "max", result->frame_ms.max);
+    csg_json_close(json);
+    csg_json_number(json, "work_ms", result->medians.work);
+    csg_json_number(json, "cpu_ms", result->medians.cpu);
+    csg_json_number(json, "edit_ms", result->medians.edit);
+    print_stages(json, &result->medians);
+}
+
 static void print_json(struct csg_json *json, const char *input,
                        const struct csg_measurement *result)
 {
     csg_json_open(json, NULL);
     csg_json_string(json, "scene", input);
+    csg_json_bool(json, "failed", false);
     csg_json_size(json, "width", (size_t)result->width);
     csg_json_size(json, "height", (size_t)result->height);
     csg_json_size(json, "frames", (size_t)result->num_frames);
     csg_json_size(json, "leaves", result->num_leaves);
     csg_json_string(json, "renderer", result->renderer);
     csg_json_string(json, "variants", result->stats.variants);
-    csg_json_number(json, "load_ms", result->load_ms);
-    csg_json_number(json, "first_image_ms", result->first_image_ms);
-    csg_json_open(json, "frame_ms");
-    csg_json_number(json, "median", result->frame_ms.median);
-    csg_json_number(json, "min", result->frame_ms.min);
-    csg_json_number(json, "max", result->frame_ms.max);
-    csg_json_close(json);
-    csg_json_number(json, "work_ms", result->work_ms.median);
-    csg_json_number(json, "cpu_ms", result->cpu_ms.median);
-    csg_json_number(json, "edit_ms", result->edit_ms.median);
+    print_times(json, result);
     csg_json_size(json, "programs", result->stats.programs);
-    csg_json_size(json, "programs_after_first", result->stats.programs - result->first_programs);
+    csg_json_size(json, "programs_after_first", result->stats.programs - result->first.programs);
     csg_json_number(json, "compile_ms", result->compile_ms);
     csg_json_size(json, "bytes_uploaded", result->stats.bytes_uploaded);
     csg_json_size(json, "texture_bytes", result->stats.texture_bytes);
     csg_json_size(json, "peak_rss", result->peak_rss);
+    csg_json_close(json);
+}
+
+/* So that the list has an object for each file. */
+static void print_failure(struct csg_json *json, const char *input)
+{
+    csg_json_open(json, NULL);
+    csg_json_string(json, "scene", input);
+    csg_json_bool(json, "failed", true);
     csg_json_close(json);
 }
 
@@ -119,10 +164,25 @@ static void print_row(const char *input, const struct csg_measurement *result)
     printf("%-24s %8zu %9.1f %9.2f %9.2f %9.2f %9.2f %9.2f %4zu %9.1f %9.1f %8.1f\n",
            slash ? slash + 1 : input, result->num_leaves, result->first_image_ms,
            result->frame_ms.median, result->frame_ms.min, result->frame_ms.max,
-           result->work_ms.median, result->cpu_ms.median, result->stats.programs,
+           result->medians.work, result->medians.cpu, result->stats.programs,
            result->compile_ms, 1e-3 * (double)result->stats.bytes_uploaded,
            1e-6 * (double)result->peak_rss);
     fflush(stdout);
+}
+
+/* false: the scene cannot be measured, which was said. */
+static bool run_one(const struct csg_cli_options *options, const char *input,
+                    struct csg_json *json)
+{
+    struct csg_measurement result;
+    const bool good = measure_apart(options, input, &result);
+    if (good && options->json)
+        print_json(json, input, &result);
+    else if (good)
+        print_row(input, &result);
+    else if (options->json)
+        print_failure(json, input);
+    return good;
 }
 
 static enum csg_cli_exit run(const struct csg_cli_options *options)
@@ -133,15 +193,8 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
         csg_json_list_open(&json, NULL);
     else
         print_head();
-    for (size_t i = 0; i < options->num_inputs; i++) {
-        struct csg_measurement result;
-        if (!measure_apart(options, options->inputs[i], &result))
-            all_good = false;
-        else if (options->json)
-            print_json(&json, options->inputs[i], &result);
-        else
-            print_row(options->inputs[i], &result);
-    }
+    for (size_t i = 0; i < options->num_inputs; i++)
+        all_good &= run_one(options, options->inputs[i], &json);
     if (options->json)
         csg_json_list_close(&json);
     if (fflush(stdout) || ferror(stdout)) {
@@ -159,9 +212,9 @@ const struct csg_cli_command csg_command_bench = {
     .text = "Draws each scene again and again and prints, in milliseconds, the first image (from\n"
             "the file, with the OpenGL context and the compiling of programs), the median and the\n"
             "range of the frames after it, their processor time on all cores together, the part\n"
-            "that csgcast prepares on the CPU, and programs, uploaded bytes and the peak of "
-            "memory. Each scene gets a process of its own. Nothing\n"
-            "is written to image files.\n",
+            "that csgcast prepares on the CPU, and programs, uploaded bytes and the peak of\n"
+            "memory; --json also what each stage took. Each scene gets a process of its own.\n"
+            "Nothing is written to image files.\n",
     .tail = "  csgcast bench part.scad\n"
             "  csgcast bench a.csg b.csg --imgsize=1024,1024 --frames=36 --orbit --json\n"
             "  csgcast bench part.csg --edit\n",

@@ -4,6 +4,7 @@
 #include "messages.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,7 +95,7 @@ struct run {
     struct csgcast_view view;
     struct csgcast_image image;
     struct edited edited;
-    double *frame_ms, *work_ms, *cpu_ms, *edit_ms; /* num_frames each */
+    struct csg_frame_times *times; /* num_frames */
     struct csg_measurement *result;
 };
 
@@ -122,62 +123,83 @@ static bool draw_first(struct run *run)
     if (!run->renderer || !draw(run))
         return false;
     run->result->first_image_ms = csg_clock_ms() - begun;
-    run->result->first_programs = run->result->stats.programs;
+    run->result->first = run->result->stats;
     return true;
 }
 
 static bool draw_frame(struct run *run, int frame)
 {
     const double begun = csg_clock_ms(), worked = csg_clock_work_ms();
+    const struct csgcast_stats *stats = &run->result->stats;
     if (run->options->orbit)
         turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
     if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
         return false;
-    run->edit_ms[frame] = run->options->edit ? csg_clock_ms() - begun : 0;
+    const double edited = csg_clock_ms();
     if (!draw(run))
         return false;
-    run->frame_ms[frame] = csg_clock_ms() - begun;
-    run->work_ms[frame] = csg_clock_work_ms() - worked;
-    run->cpu_ms[frame] = run->result->stats.cpu_ms;
+    run->times[frame] =
+        (struct csg_frame_times){.frame = csg_clock_ms() - begun,
+                                 .work = csg_clock_work_ms() - worked,
+                                 .edit = run->options->edit ? edited - begun : 0,
+                                 .cpu = stats->cpu_ms,
+                                 .csg = run->options->edit ? stats->csg_ms : 0,
+                                 .tile = stats->tile_ms,
+                                 .pack = stats->pack_ms,
+                                 .upload = stats->upload_ms,
+                                 .draw = stats->draw_ms,
+                                 .read = stats->read_ms};
     if (is_verbose(run))
         fprintf(stderr, "\r%s: frame %d of %d \r", run->input, frame + 1, run->result->num_frames);
     return true;
 }
 
-static bool draw_frames(struct run *run)
+/* Of one member of all times; offset: where it is in them. */
+static struct csg_spread spread_at(const struct run *run, size_t offset, double *room)
+{
+    const size_t num = (size_t)run->result->num_frames;
+    for (size_t i = 0; i < num; i++)
+        memcpy(&room[i], (const char *)&run->times[i] + offset, sizeof *room);
+    return spread_of(room, num);
+}
+
+static bool find_spreads(const struct run *run)
 {
     struct csg_measurement *result = run->result;
-    const size_t num = (size_t)result->num_frames;
+    double *room = malloc((size_t)result->num_frames * sizeof *room);
+    if (!room)
+        return csg_cli_error("out of memory"), false;
+    for (size_t at = 0; at < sizeof result->medians; at += sizeof(double)) {
+        const double median = spread_at(run, at, room).median;
+        memcpy((char *)&result->medians + at, &median, sizeof median);
+    }
+    result->frame_ms = spread_at(run, offsetof(struct csg_frame_times, frame), room);
+    free(room);
+    return true;
+}
+
+static bool draw_frames(struct run *run)
+{
     if (run->options->edit && !begin_edits(run->scene, run->options->edited_leaf, &run->edited))
         return false;
     bool good = true;
-    for (int frame = 0; frame < result->num_frames && good; frame++)
+    for (int frame = 0; frame < run->result->num_frames && good; frame++)
         good = draw_frame(run, frame);
     if (is_verbose(run))
         fprintf(stderr, "\033[K");
-    if (!good)
-        return false;
-    result->frame_ms = spread_of(run->frame_ms, num);
-    result->work_ms = spread_of(run->work_ms, num);
-    result->cpu_ms = spread_of(run->cpu_ms, num);
-    result->edit_ms = spread_of(run->edit_ms, num);
-    return true;
+    return good && find_spreads(run);
 }
 
 static bool measure(struct run *run)
 {
     const size_t pixels = (size_t)run->view.width * (size_t)run->view.height;
-    const size_t num = (size_t)run->result->num_frames;
     run->image.rgba8 = malloc(4 * pixels);
-    run->frame_ms = calloc(4 * num, sizeof *run->frame_ms);
-    if (!run->image.rgba8 || !run->frame_ms) {
+    run->times = calloc((size_t)run->result->num_frames, sizeof *run->times);
+    if (!run->image.rgba8 || !run->times) {
         csg_cli_error("out of memory for an image of %d x %d pixels", run->view.width,
                       run->view.height);
         return false;
     }
-    run->cpu_ms = run->frame_ms + num;
-    run->edit_ms = run->cpu_ms + num;
-    run->work_ms = run->edit_ms + num;
     if (!draw_first(run) || !draw_frames(run))
         return false;
     run->result->num_leaves = csgcast_scene_num_leaves(run->scene);
@@ -200,6 +222,6 @@ bool csg_measure(const struct csg_cli_options *options, const char *input,
     csgcast_renderer_destroy(run.renderer);
     csgcast_scene_destroy(run.scene);
     free(run.image.rgba8);
-    free(run.frame_ms);
+    free(run.times);
     return good;
 }

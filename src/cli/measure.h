@@ -10,6 +10,15 @@ struct csg_spread {
     double median, min, max;
 };
 
+/* ms of one frame, or the medians of several. */
+struct csg_frame_times {
+    double frame; /* with its edit */
+    double work;  /* of it: processor time, all cores together */
+    double edit;  /* of it: csgcast_scene_edit */
+    double cpu;   /* of it: preparing in double precision; and its stages, as in csgcast_stats */
+    double csg, tile, pack, upload, draw, read;
+};
+
 /* No pointers: it goes through a pipe. */
 struct csg_measurement {
     int width, height;          /* pixels */
@@ -18,12 +27,10 @@ struct csg_measurement {
     char renderer[256];
     double load_ms;             /* the scene file */
     double first_image_ms;      /* load, context, programs and the first frame */
+    struct csgcast_stats first; /* of that frame */
     struct csg_spread frame_ms; /* later frames, with their edits */
-    struct csg_spread work_ms;  /* of them: processor time, all cores together */
-    struct csg_spread cpu_ms;   /* of them: preparing in double precision */
-    struct csg_spread edit_ms;  /* of them: csgcast_scene_edit */
+    struct csg_frame_times medians; /* of them */
     double compile_ms;          /* all programs */
-    size_t first_programs;      /* compiled for the first image */
     struct csgcast_stats stats; /* of the last frame */
     size_t peak_rss;            /* bytes, of the process that measured */
 };

@@ -83,12 +83,22 @@ expect 0 "bench" bench part.csg part.csg "${small[@]}"
 check "one line a scene" test "$(grep -c '^part.csg ' out)" -eq 2
 expect 0 "bench for machines" bench part.csg "${small[@]}" --orbit --edit=0 --json
 check "a list of objects" grep -q '^\[' out
-for key in first_image_ms frame_ms median cpu_ms programs compile_ms bytes_uploaded peak_rss; do
+for key in first_image_ms first_stages_ms frame_ms median cpu_ms stages_ms programs compile_ms \
+    bytes_uploaded peak_rss; do
     prints "\"$key\":"
 done
 prints '"programs_after_first": 0'
 expect 1 "bench of nothing" bench nothing.csg part.csg "${small[@]}"
 check "the others are measured" grep -q '^part.csg ' out
+expect 1 "bench of nothing, for machines" bench part.csg nothing.csg "${small[@]}" --edit --json
+check "an object a file, and stages that are parts of their frame" node -e '
+    const [part, nothing] = JSON.parse(require("fs").readFileSync("out", "utf8"));
+    const sum = stages => Object.values(stages).reduce((a, b) => a + b, 0);
+    const { edit, csg, ...stages } = part.stages_ms;
+    process.exit(nothing.failed && nothing.scene === "nothing.csg" && !part.failed &&
+        edit >= csg && csg > 0 && stages.draw > 0 &&
+        edit + sum(stages) < 1.01 * part.frame_ms.max &&
+        sum(part.first_stages_ms) < part.first_image_ms ? 0 : 1);'
 expect 1 "no such leaf" bench part.csg "${small[@]}" --edit=7
 expect 2 "no frames" bench part.csg --frames=0
 expect 2 "bench of no scene" bench
