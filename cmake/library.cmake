@@ -18,7 +18,7 @@ csgcast_strict(csgcast_objects)
 # Loops over pixels without branches: vectors need a root that sets no errno and compares that do
 # not trap.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c
-    ${PROJECT_SOURCE_DIR}/src/crowd/balls.c PROPERTIES
+    ${PROJECT_SOURCE_DIR}/src/crowd/balls.c ${PROJECT_SOURCE_DIR}/src/crowd/tree_cast.c PROPERTIES
     COMPILE_OPTIONS "-ftree-vectorize;-fno-math-errno;-fno-trapping-math")
 
 # Convex hulls: hull() and minkowski() say so where Qhull is missing.

@@ -46,12 +46,12 @@ static void bound_quadric(struct csg_cast *cast, const struct csg_cast_rect *rec
     cast->quadric_noise = cast->noise + middle_noise + ROUNDING * sqrtf(size);
 }
 
-bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, const float *terms,
-                   const struct csg_cast_rect *rect, float noise)
+bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes,
+                   const float *terms, const struct csg_cast_rect *rect, float noise)
 {
-    *cast = (struct csg_cast){.quadric = class->has_quadric ? terms : NULL,
-                              .planes = terms + (class->has_quadric ? 12 : 0),
-                              .num_planes = class->num_planes,
+    *cast = (struct csg_cast){.quadric = has_quadric ? terms : NULL,
+                              .planes = terms + (has_quadric ? 12 : 0),
+                              .num_planes = num_planes,
                               .noise = noise};
     if (cast->quadric && ((int)terms[3] & 3) != CSG_QUADRIC_BETWEEN)
         return false;
@@ -71,13 +71,7 @@ bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, c
 
 /* ---- a row ---- */
 
-/* Bounds of where a ray enters and leaves. */
-struct spans {
-    float entry_lo[CSG_CAST_LANES], entry_hi[CSG_CAST_LANES];
-    float exit_lo[CSG_CAST_LANES], exit_hi[CSG_CAST_LANES];
-};
-
-PART void start(struct spans *spans)
+PART void start(struct csg_spans *spans)
 {
     for (int i = 0; i < CSG_CAST_LANES; i++) {
         spans->entry_lo[i] = spans->entry_hi[i] = -CSG_KEY_MAX;
@@ -86,7 +80,7 @@ PART void start(struct spans *spans)
 }
 
 /* Twin of csg_quadric in shaders/solids/quadric.glsl. Where h may be negative the ray may miss. */
-PART void start_quadric(const struct csg_cast *cast, float dx, float dy, struct spans *spans)
+PART void start_quadric(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans)
 {
     const float *t = cast->quadric;
     const int code = (int)t[3];
@@ -109,7 +103,7 @@ PART void start_quadric(const struct csg_cast *cast, float dx, float dy, struct 
     }
 }
 
-PART void enter(const float *t, float noise, float dx, float dy, struct spans *spans)
+PART void enter(const float *t, float noise, float dx, float dy, struct csg_spans *spans)
 {
     const float k0 = t[0] + t[2] * dy, kx = t[1];
     for (int i = 0; i < CSG_CAST_LANES; i++) {
@@ -119,7 +113,7 @@ PART void enter(const float *t, float noise, float dx, float dy, struct spans *s
     }
 }
 
-PART void leave(const float *t, float noise, float dx, float dy, struct spans *spans)
+PART void leave(const float *t, float noise, float dx, float dy, struct csg_spans *spans)
 {
     const float k0 = t[0] + t[2] * dy, kx = t[1];
     for (int i = 0; i < CSG_CAST_LANES; i++) {
@@ -129,7 +123,7 @@ PART void leave(const float *t, float noise, float dx, float dy, struct spans *s
     }
 }
 
-PART void cast_row(const struct csg_cast *cast, float dx, float dy, struct spans *spans)
+PART void cast_row(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans)
 {
     if (cast->quadric)
         start_quadric(cast, dx, dy, spans);
@@ -144,11 +138,21 @@ PART void cast_row(const struct csg_cast *cast, float dx, float dy, struct spans
     }
 }
 
+WIDE void all_spans(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans)
+{
+    cast_row(cast, dx, dy, spans);
+}
+
+void csg_cast_spans(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans)
+{
+    all_spans(cast, dx, dy, spans);
+}
+
 /* Of what a side does not need nothing is computed: rear is known where this is inlined. */
 PART bool draw_side(const struct csg_cast *cast, bool rear, float dx, float dy, int num,
                     float *keys)
 {
-    struct spans spans;
+    struct csg_spans spans;
     cast_row(cast, dx, dy, &spans);
     const float *crossing = rear ? spans.exit_hi : spans.entry_hi;
     unsigned changed = 0;
@@ -177,7 +181,7 @@ static const unsigned bits[CSG_CAST_LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
 PART unsigned side_shows(const struct csg_cast *cast, bool rear, float dx, float dy, int num,
                          const float *keys)
 {
-    struct spans spans;
+    struct csg_spans spans;
     unsigned shows = 0;
     cast_row(cast, dx, dy, &spans);
     const float *crossing = rear ? spans.exit_lo : spans.entry_lo;
@@ -206,7 +210,7 @@ WIDE void contend(const struct csg_cast *cast, float dx, float dy, int num, uint
                   float *restrict keys, float *restrict least, uint32_t *restrict who,
                   struct csg_contested *restrict result)
 {
-    struct spans spans;
+    struct csg_spans spans;
     unsigned shows = 0, with_others = 0;
     cast_row(cast, dx, dy, &spans);
     for (int i = 0; i < CSG_CAST_LANES; i++) {

@@ -33,8 +33,18 @@ struct csg_cast_rect {
 
 /* From csg_member_terms, for pixels in rect. false: not of the kind that can be cast here, which is
  * what lies between its quadric's crossings. */
-bool csg_cast_init(struct csg_cast *cast, const struct csg_crowd_class *class, const float *terms,
-                   const struct csg_cast_rect *rect, float noise);
+bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes,
+                   const float *terms, const struct csg_cast_rect *rect, float noise);
+
+/* Bounds of where a ray enters and leaves: where it may miss, entry_hi is not less than exit_lo,
+ * and where it certainly does, entry_lo is more than exit_hi. */
+struct csg_spans {
+    float entry_lo[CSG_CAST_LANES], entry_hi[CSG_CAST_LANES];
+    float exit_lo[CSG_CAST_LANES], exit_hi[CSG_CAST_LANES];
+};
+
+/* Of CSG_CAST_LANES pixels of a row, at (dx + i, dy). */
+void csg_cast_spans(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans);
 
 /*
  * What follows is about num pixels of a row, at most CSG_CAST_LANES, at d = (dx + i, dy) for

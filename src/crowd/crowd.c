@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crowd/tree_cast.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "pack/precision.h"
@@ -206,10 +207,11 @@ static bool allocate(struct csg_crowd *crowd, size_t num_numbers)
     double *lengths = malloc((4 * crowd->num + num_numbers + 1) * sizeof *lengths);
     uint32_t *numbers = malloc((3 * crowd->num + crowd->num_others + 1) * sizeof *numbers);
     crowd->opaque = malloc(crowd->num + 1);
+    crowd->covers = malloc(crowd->num + crowd->num_others + 1);
     crowd->need = malloc((crowd->num + 1) * sizeof *crowd->need);
     crowd->x = lengths;
     crowd->object = numbers;
-    if (!lengths || !numbers || !crowd->opaque || !crowd->need)
+    if (!lengths || !numbers || !crowd->opaque || !crowd->covers || !crowd->need)
         return false;
     crowd->y = crowd->x + crowd->num;
     crowd->z = crowd->y + crowd->num;
@@ -266,12 +268,27 @@ static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[N
     }
 }
 
+static enum csg_cover cover_of(const struct csgcast_scene *scene,
+                                   const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    if (object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
+        return CSG_COVER_GLASS;
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF && scene->leaves[nodes[i].leaf].color[3] < 1 &&
+            scene->leaves[nodes[i].leaf].color[3] >= 0)
+            return CSG_COVER_GLASS;
+    return csg_tree_cast_can(scene, object) ? CSG_COVER_HIDES : CSG_COVER_NONE;
+}
+
 void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scene)
 {
     for (size_t i = 0; i < crowd->num; i++) {
         const float alpha = scene->leaves[crowd->leaf[i]].color[3];
         crowd->opaque[i] = alpha < 0 || alpha >= 1;
     }
+    for (size_t i = 0; i < scene->objects->num; i++)
+        crowd->covers[i] = (uint8_t)cover_of(scene, &scene->objects->data[i]);
 }
 
 /* A root's own number counts where it has kin. */
@@ -321,6 +338,7 @@ void csg_crowd_destroy(struct csg_crowd *crowd)
     free(crowd->x);
     free(crowd->object);
     free(crowd->opaque);
+    free(crowd->covers);
     free(crowd->need);
     free(crowd);
 }

@@ -28,6 +28,9 @@ struct csg_crowd_class {
 /* By planes and quadric, and those that an outline says all about. */
 #define CSG_CROWD_MAX_CLASSES (2 * (CSG_CROWD_MAX_PLANES + 1) + 3)
 
+/* What objects that are drawn one by one do to others: nothing, hide them, or show them, too. */
+enum csg_cover { CSG_COVER_NONE, CSG_COVER_HIDES, CSG_COVER_GLASS };
+
 #define CSG_CROWD_NO_KIN UINT32_MAX
 
 /* Fewer members are drawn sooner than compared, and have no picture of owners. */
@@ -47,6 +50,7 @@ struct csg_crowd {
     size_t num_classes;
     uint32_t *others; /* the objects that are no members */
     size_t num_others;
+    uint8_t *covers; /* per object: enum csg_cover, for crowd/sift.h */
 };
 
 /* The scene's objects and carriers are there. NULL: out of memory. */

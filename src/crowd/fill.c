@@ -10,6 +10,7 @@
 #include "csg/carrier.h"
 #include "crowd/crowd.h"
 #include "crowd/occluders.h"
+#include "crowd/sift.h"
 #include "pack/ball.h"
 #include "pack/terms.h"
 
@@ -371,7 +372,9 @@ static bool fill(struct filler *filler)
         return false;
     count_singles(filler);
     count_owned(filler);
-    return list_objects(filler);
+    return list_objects(filler) &&
+           csg_sift(filler->frame, filler->scene,
+                    filler->cull.has_relief ? &filler->cull.relief : NULL);
 }
 
 bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,

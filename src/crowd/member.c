@@ -16,45 +16,50 @@ static struct csg_vec3 center_of(const struct csg_crowd_view *view, uint32_t mem
     return csg_vec3(crowd->x[member], crowd->y[member], crowd->z[member]);
 }
 
-/* false: stiff. */
-static bool quadric_terms(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
-                          uint32_t member, float *out)
+static void put_quadric(double texels[CSG_QUADRIC_TEXELS][4], float *out)
 {
-    const struct csg_frame *frame = view->frame;
-    double texels[CSG_QUADRIC_TEXELS][4];
-    if (is_ball(view, class))
-        csg_screen_ball(&frame->screen, frame->at, center_of(view, member),
-                        view->crowd->radius[member], texels);
-    else
-        csg_terms_crossings(frame, view->scene, view->crowd->leaf[member], texels, NULL);
     for (int i = 0; i < 12; i++)
         out[i] = (float)texels[i / 4][i % 4];
-    return !((int)texels[0][3] & CSG_QUADRIC_STIFF);
 }
 
-static void plane_terms(const struct csg_crowd_view *view, const struct csg_face *face, float *out)
+static void plane_terms(const struct csg_frame *frame, const struct csgcast_scene *scene,
+                        const struct csg_face *face, float *out)
 {
-    const struct csg_frame *frame = view->frame;
     double texel[4];
-    csg_screen_plane(&frame->screen, frame->at, &view->scene->carriers->planes[face->carrier],
+    csg_screen_plane(&frame->screen, frame->at, &scene->carriers->planes[face->carrier],
                      face->flipped, texel);
     for (int j = 0; j < 3; j++)
         out[j] = (float)texel[j];
     out[3] = texel[3] < 0 ? CSG_KEY_MAX : 0;
 }
 
+bool csg_leaf_cast_terms(const struct csg_frame *frame, const struct csgcast_scene *scene,
+                         uint32_t leaf, float *out)
+{
+    const struct csg_carriers *carriers = scene->carriers;
+    if (carriers->quadric_faces[leaf].carrier != CSG_NO_CARRIER) {
+        double texels[CSG_QUADRIC_TEXELS][4];
+        csg_terms_crossings(frame, scene, leaf, texels, NULL);
+        put_quadric(texels, out);
+        out += 12;
+        if ((int)texels[0][3] & CSG_QUADRIC_STIFF)
+            return false;
+    }
+    for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++, out += 4)
+        plane_terms(frame, scene, &carriers->faces[i], out);
+    return true;
+}
+
 bool csg_member_terms(const struct csg_crowd_view *view, const struct csg_crowd_class *class,
                       uint32_t member, float *out)
 {
-    const struct csg_carriers *carriers = view->scene->carriers;
-    const struct csg_face *faces =
-        carriers->faces + carriers->face_begin[view->crowd->leaf[member]];
-    if (class->has_quadric && !quadric_terms(view, class, member, out))
-        return false;
-    out += class->has_quadric ? 12 : 0;
-    for (uint32_t i = 0; i < class->num_planes; i++, out += 4)
-        plane_terms(view, &faces[i], out);
-    return true;
+    double texels[CSG_QUADRIC_TEXELS][4];
+    if (!is_ball(view, class))
+        return csg_leaf_cast_terms(view->frame, view->scene, view->crowd->leaf[member], out);
+    csg_screen_ball(&view->frame->screen, view->frame->at, center_of(view, member),
+                    view->crowd->radius[member], texels);
+    put_quadric(texels, out);
+    return !((int)texels[0][3] & CSG_QUADRIC_STIFF);
 }
 
 static void put_normal(float *texel, const float normal[3], double sign, float mark)

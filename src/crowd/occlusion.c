@@ -25,8 +25,7 @@ static const struct csg_screen *screen_of(const struct csg_cull *cull)
     return &cull->view.frame->screen;
 }
 
-/* How far apart two keys of this size must be for the nearer one to win in the depth buffer. */
-static double key_noise(const struct csg_screen *screen, double key)
+double csg_occlusion_noise(const struct csg_screen *screen, double key)
 {
     return KEY_NOISE * (fabs(key) + 1 / (double)screen->depth[0]);
 }
@@ -34,7 +33,7 @@ static double key_noise(const struct csg_screen *screen, double key)
 float csg_occlusion_near(const struct csg_screen *screen, double t)
 {
     const double key = csg_screen_key(screen, t);
-    return (float)(key - key_noise(screen, key));
+    return (float)(key - csg_occlusion_noise(screen, key));
 }
 
 static struct csg_pixels pixels_of(const struct csg_candidate *candidate)
@@ -58,9 +57,10 @@ static bool prepare(const struct csg_cull *cull, const struct csg_relief *relief
 {
     const struct csg_pixels pixels = pixels_of(candidate);
     const struct csg_cast_rect rect = csg_relief_offsets(relief, &pixels);
-    const float noise = (float)key_noise(screen_of(cull), (double)candidate->key);
+    const struct csg_crowd_class *class = &cull->view.crowd->classes[candidate->class];
+    const float noise = (float)csg_occlusion_noise(screen_of(cull), (double)candidate->key);
     return terms &&
-           csg_cast_init(cast, &cull->view.crowd->classes[candidate->class], terms, &rect, noise);
+           csg_cast_init(cast, class->has_quadric, class->num_planes, terms, &rect, noise);
 }
 
 /* Terms for a band: those that all may use are found by the one in which the occluder begins. */

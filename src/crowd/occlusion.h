@@ -6,6 +6,9 @@
 
 #include "crowd/cull.h"
 
+/* How far apart two keys of this size must be for the nearer one to win in the depth buffer. */
+double csg_occlusion_noise(const struct csg_screen *screen, double key);
+
 /* A key that is surely nearer than all of a member whose nearest point has depth t. */
 float csg_occlusion_near(const struct csg_screen *screen, double t);
 

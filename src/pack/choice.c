@@ -60,7 +60,7 @@ static bool find_spared(const struct csg_terms *terms, const struct csg_object *
     const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     double tests;
     *spared = 0;
-    if (terms->leaves.num < MIN_CELL_LEAVES || terms->views.num)
+    if (terms->views.num)
         return true;
     draw->may_walk = true;
     draw->bunched = bunched;
@@ -80,8 +80,9 @@ bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *ob
     const enum csg_cells_use use = terms->params->cells;
     double spared = INFINITY;
     *cells = NULL;
-    if (use == CSG_CELLS_NEVER || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
-        draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
+    const bool is_small = use == CSG_CELLS_WHERE_BETTER && terms->leaves.num < MIN_CELL_LEAVES;
+    if (use == CSG_CELLS_NEVER || is_small || draw->object == CSG_WHOLE_LAYER ||
+        draw->around_eye || draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
         return true;
     if (use == CSG_CELLS_WHERE_BETTER && !find_spared(terms, object, rect, draw, &spared))
         return false;

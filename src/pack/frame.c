@@ -27,6 +27,21 @@ static bool is_empty(const struct csg_rect *rect)
     return !(rect->lo[0] < rect->hi[0] && rect->lo[1] < rect->hi[1]);
 }
 
+/* Fewer objects are drawn as soon as rectangles. */
+enum { MIN_POINTS = 1000 };
+
+static bool has_many(const struct packer *packer)
+{
+    return packer->frame->listed.num >= MIN_POINTS && !packer->params->textbook;
+}
+
+/* Whether the centre of a pixel is in it. */
+static bool has_pixel(const struct csg_rect *rect)
+{
+    return ceil(rect->lo[0] - 0.5) < floor(rect->hi[0] + 0.5) &&
+           ceil(rect->lo[1] - 0.5) < floor(rect->hi[1] + 0.5);
+}
+
 static struct csg_rect leaf_rect(const struct packer *packer, const struct csg_node *node)
 {
     const struct csg_screen *screen = &packer->frame->screen;
@@ -81,16 +96,6 @@ static bool object_rect(struct packer *packer, const struct csg_object *object,
     return true;
 }
 
-static bool holds_eye(const struct csg_screen *screen, const struct csg_box *box)
-{
-    const struct csg_vec3 eye = screen->origin, lo = box->lo, hi = box->hi;
-    const double near = screen->near; /* on the surface is inside of the box */
-    if (screen->orthographic)
-        return !csg_box_is_finite(box);
-    return lo.x - near <= eye.x && eye.x <= hi.x + near && lo.y - near <= eye.y &&
-           eye.y <= hi.y + near && lo.z - near <= eye.z && eye.z <= hi.z + near;
-}
-
 /* One for all objects: their flush faces then have the same keys to the last bit. */
 static struct csg_pixel reference_pixel(const struct csg_screen *screen, const struct csg_box *box)
 {
@@ -127,19 +132,45 @@ void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_
     frame->solid_tests += pixels * num_leaves;
 }
 
+/* A point may cover so many pixels more than the rectangle. */
+#define MAX_SPARE_PIXELS 256.0
+
+/* Where many objects are drawn, a rectangle becomes a square of whole pixels in the picture, which
+ * is drawn as one point. */
+static struct csg_rect squared(const struct packer *packer, const struct csg_rect *rect)
+{
+    const double sizes[2] = {packer->frame->screen.width, packer->frame->screen.height};
+    struct csg_rect square;
+    double size[2], side = 0;
+    for (int i = 0; i < 2; i++) {
+        square.lo[i] = ceil(rect->lo[i] - 0.5);
+        size[i] = floor(rect->hi[i] + 0.5) - square.lo[i];
+        side = fmax(side, size[i]);
+    }
+    if (!has_many(packer) ||
+        side * side - size[0] * size[1] > MAX_SPARE_PIXELS || side > fmin(sizes[0], sizes[1]))
+        return *rect;
+    for (int i = 0; i < 2; i++) {
+        square.lo[i] = fmin(square.lo[i], sizes[i] - side);
+        square.hi[i] = square.lo[i] + side;
+    }
+    return square;
+}
+
 /* The object in one rectangle, all records as planned. */
 static bool add_whole(struct packer *packer, const struct csg_rect *rect, struct csg_draw *draw)
 {
     struct csg_frame *frame = packer->frame;
     const struct csg_plan *plan = packer->scene->plan;
-    csg_draw_set_rect(draw, &frame->screen, rect);
+    const struct csg_rect square = squared(packer, rect);
+    csg_draw_set_rect(draw, &frame->screen, &square);
     draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
     for (uint32_t i = plan->begin[draw->object]; i < plan->begin[draw->object + 1]; i++)
         if (!csg_terms_add_record(&packer->terms, &plan->program.data[i], NULL))
             return false;
     draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
     const size_t before = frame->proxy_pixels;
-    csg_frame_count(frame, rect, packer->terms.leaves.num);
+    csg_frame_count(frame, &square, packer->terms.leaves.num);
     if (draw->single)
         csg_singles_note(&frame->singles, packer->scene,
                          plan->program.data[plan->begin[draw->object]].leaf,
@@ -172,7 +203,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     struct csg_rect rect;
     if (!object_rect(packer, object, &rect))
         return false;
-    if (is_empty(&rect))
+    if (is_empty(&rect) || (has_many(packer) && !has_pixel(&rect)))
         return true;
     const struct csg_precision precision =
         csg_frame_precision(packer->frame, packer->scene, index, object->layer);
@@ -187,7 +218,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
                     (CSG_RECORD_GAP | CSG_RECORD_NEGATED | CSG_RECORD_SURFACE));
     draw.stiff = packer->terms.stiff;
     draw.precise = packer->terms.precise;
-    draw.around_eye = index == CSG_WHOLE_LAYER || holds_eye(&packer->frame->screen, &object->box);
+    draw.around_eye = index == CSG_WHOLE_LAYER || csg_screen_eye_is_in(&packer->frame->screen, &object->box);
     const struct csg_cells *cells;
     if (!csg_cells_choose(&packer->terms, object, &rect, &draw, &cells))
         return false;
@@ -222,7 +253,7 @@ static bool starts_inside(const struct packer *packer, uint8_t layer)
     for (size_t i = 0; i < packer->frame->listed.num; i++) {
         const struct csg_object *object =
             &packer->scene->objects->data[packer->frame->listed.data[i]];
-        if (object->layer == layer && holds_eye(screen, &object->box) &&
+        if (object->layer == layer && csg_screen_eye_is_in(screen, &object->box) &&
             (screen->orthographic ||
              csg_object_is_near(packer->scene, object, screen->origin, screen->near)))
             return true;

@@ -131,6 +131,16 @@ double csg_screen_key(const struct csg_screen *screen, double t)
     return screen->orthographic ? t - screen->a : screen->a - screen->b / t;
 }
 
+bool csg_screen_eye_is_in(const struct csg_screen *screen, const struct csg_box *box)
+{
+    const struct csg_vec3 eye = screen->origin, lo = box->lo, hi = box->hi;
+    const double near = screen->near; /* on the surface is inside of the box */
+    if (screen->orthographic)
+        return !csg_box_is_finite(box);
+    return lo.x - near <= eye.x && eye.x <= hi.x + near && lo.y - near <= eye.y &&
+           eye.y <= hi.y + near && lo.z - near <= eye.z && eye.z <= hi.z + near;
+}
+
 /* Continuous pixel coordinates of a point; false at or behind the eye plane. */
 static bool project(const struct csg_screen *screen, struct csg_vec3 p, double pixel[2])
 {

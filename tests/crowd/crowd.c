@@ -17,7 +17,7 @@
 #include "ideal/text.h"
 
 enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_VIEWS = 6 };
-enum { NUM_SOLIDS = 1200, NUM_DENSE = 4000, NUM_NESTED = 500 };
+enum { NUM_SOLIDS = 1200, NUM_DENSE = 4000, NUM_NESTED = 500, NUM_PARTS = 2500 };
 
 #define MAX_NORMAL_ERROR 2e-4 /* the crowd's spheres have their normals in closed form */
 #define MAX_COLOR_ERROR 2e-3f
@@ -136,6 +136,60 @@ static char *make_nested_scene(bool is_translucent)
     return text.data;
 }
 
+/* An object of several solids; some are empty, some bite into each other's faces. */
+static void put_part(struct text *text)
+{
+    const double a = between(0.3, 1.5), b = between(0.3, 1.5);
+    switch ((int)between(0, 6)) {
+    case 0:
+        text_put(text, "intersection() { sphere(r = %.9g); cube(%.9g, center = true);", a, 2 * b);
+        break;
+    case 1:
+        text_put(text, "difference() { cylinder(h = %.9g, r = %.9g); cylinder(h = %.9g, r = %.9g);",
+                 a, b, a, 0.9 * b * between(0.2, 1.2));
+        break;
+    case 2:
+        text_put(text, "difference() { sphere(r = %.9g); translate([0, 0, %.9g]) difference() { "
+                 "cube(%.9g, center = true); cylinder(h = 3, r = %.9g, center = true); }", a,
+                 0.5 * b, 2 * a, 0.4 * b);
+        break;
+    case 3:
+        text_put(text, "intersection() { cylinder(h = %.9g, r1 = %.9g, r2 = 0); union() { "
+                 "cube([%.9g, 9, 9], center = true); cube([9, %.9g, 9], center = true); }", 2 * a,
+                 b, 0.4 * b, 0.3 * b);
+        break;
+    default:
+        text_put(text, "difference() { cube(%.9g, center = true); sphere(r = %.9g);", a,
+                 a * between(0.4, 0.8));
+    }
+    text_put(text, " }\n");
+}
+
+/* Small objects of several solids, most of them hidden, with single ones among them; some come
+ * twice, some are translucent, and some large ones hide many. */
+static char *make_parts_scene(void)
+{
+    struct text text = {0};
+    for (int i = 0; i < NUM_PARTS; i++) {
+        const size_t begin = text.num;
+        if (i % 200 == 0)
+            text_put(&text, "color([0, 1, 0, 0.5]) ");
+        put_place(&text);
+        if (i % 400 == 1)
+            text_put(&text, "scale(4) ");
+        if (i % 9 == 0)
+            put_solid(&text);
+        else
+            put_part(&text);
+        char copy[1024];
+        const size_t length = text.num - begin;
+        memcpy(copy, text.data + begin, length);
+        if (i % 7 == 0)
+            text_put(&text, "color([1, 0, 0]) %.*s", (int)length, copy);
+    }
+    return text.data;
+}
+
 static struct csgcast_view view_of(int i)
 {
     static const double distances[NUM_VIEWS] = {90, 40, 25, 9, 3e4, 60};
@@ -226,7 +280,8 @@ int main(int argc, char **argv)
     const struct csgcast_renderer_params params = {
         .backend = strcmp(argv[1], "egl") == 0 ? CSGCAST_BACKEND_EGL : CSGCAST_BACKEND_OSMESA};
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
-    int failed = !renderer || !check_hidden(renderer, make_dense_scene());
+    int failed = !renderer || !check_hidden(renderer, make_dense_scene()) ||
+                 !check_hidden(renderer, make_parts_scene());
     failed = failed || !check_hidden(renderer, make_nested_scene(false)) ||
              !check_hidden(renderer, make_nested_scene(true));
     char *text = make_scene();
