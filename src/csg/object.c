@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/surface.h"
+
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
                                           const struct csg_object *object)
 {
@@ -49,16 +51,36 @@ static bool is_disjoint(const struct csg_box *a, const struct csg_box *b)
     return !(common.lo.x < common.hi.x && common.lo.y < common.hi.y && common.lo.z < common.hi.z);
 }
 
+/* Sheets, which are surfaces that are not closed, show even where they have no volume, as in
+ * OpenSCAD's preview. */
+static bool has_sheets(const struct csgcast_scene *scene, const struct csg_tree *tree)
+{
+    for (uint32_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        const struct csg_surface *surface =
+            node->op == CSG_LEAF ? scene->leaves[node->leaf].shape.surface : NULL;
+        if (surface && surface->open && !node->negated)
+            return true;
+    }
+    return false;
+}
+
+static bool is_relevant(const struct csg_box *box, const struct csg_box *context, bool among_sheets)
+{
+    return among_sheets ? csg_box_overlaps(box, context) : !is_disjoint(box, context);
+}
+
 /* Walks down with the box in which a node matters and marks the leaves that do. */
 static void mark_relevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
                             const struct csg_box *boxes, struct csg_box *contexts, uint8_t *known)
 {
+    const bool among_sheets = has_sheets(scene, tree);
     contexts[0] = boxes[0];
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
             const struct csg_box box = csg_leaf_box(&scene->leaves[node->leaf]);
-            if (!is_disjoint(&box, &contexts[i]))
+            if (is_relevant(&box, &contexts[i], among_sheets))
                 known[node->leaf] = CSG_VARIES; /* also where another copy of it is irrelevant */
             continue;
         }
