@@ -10,8 +10,10 @@
 #include "csg/own_faces.h"
 #include "mesh/surface.h"
 
-/* A small leaf's face, continued to the far end of the scene, strays by this many times its
- * tolerance at most before the index may miss it. */
+/* Faces whose tolerance is a larger share of their radius than this, which are specks, and those of
+ * surfaces: continued to the far end of the scene they stray by this many times their tolerance at
+ * most before the index may miss what they coincide with. */
+#define MAX_SHARE (1.0 / 128)
 #define MAX_LEVER 16.0
 
 /* Appends to an array that lives in struct csg_carriers. */
@@ -22,26 +24,65 @@
          ? ((carriers)->name[(carriers)->num_##name++] = (value), true)                            \
          : false)
 
-static bool add_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                      const struct csg_leaf_extent *extent, bool alone, struct csg_face *face)
+/* Who came to a new carrier, where edits will ask. */
+#define note_owner(builder, kind, carrier, rank)                                                   \
+    (!(builder)->keeps ||                                                                          \
+     ((carrier) < (builder)->kind##_ranks.num                                                      \
+          ? ((builder)->kind##_ranks.data[carrier] = *(rank),                                      \
+             (builder)->kind##_uses.data[carrier] = 0, true)                                       \
+          : csg_array_push(&(builder)->kind##_ranks, *(rank)) &&                                   \
+                csg_array_push(&(builder)->kind##_uses, 0)))
+
+/* A carrier's place: one that edits have left, or at the end. */
+static bool place_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                        double rounding, uint32_t *carrier)
 {
     struct csg_carriers *carriers = builder->carriers;
-    *face = (struct csg_face){(uint32_t)carriers->num_planes, false};
-    return push_carrier(carriers, planes, *plane) &&
-           csg_array_push(&builder->plane_rounding, extent->rounding) &&
+    if (builder->free_planes.num == 0) {
+        *carrier = (uint32_t)carriers->num_planes;
+        return push_carrier(carriers, planes, *plane) &&
+               csg_array_push(&builder->plane_rounding, rounding);
+    }
+    *carrier = builder->free_planes.data[--builder->free_planes.num];
+    carriers->planes[*carrier] = *plane;
+    builder->plane_rounding.data[*carrier] = rounding;
+    return true;
+}
+
+static bool place_quadric(struct csg_carrier_builder *builder, uint32_t leaf, double rounding,
+                          uint32_t *carrier)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    if (builder->free_quadrics.num == 0) {
+        *carrier = (uint32_t)carriers->num_quadrics++;
+        return push_carrier(carriers, quadric_boxes, csg_box_empty) &&
+               push_carrier(carriers, quadric_leaves, leaf) &&
+               csg_array_push(&builder->quadric_rounding, rounding);
+    }
+    *carrier = builder->free_quadrics.data[--builder->free_quadrics.num];
+    carriers->quadric_leaves[*carrier] = leaf;
+    builder->quadric_rounding.data[*carrier] = rounding;
+    return true;
+}
+
+static bool add_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                      const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                      bool alone, struct csg_face *face)
+{
+    *face = (struct csg_face){0};
+    return place_plane(builder, plane, extent->rounding, &face->carrier) &&
+           note_owner(builder, plane, face->carrier, rank) &&
            (alone || csg_index_add_plane(&builder->index, plane, face->carrier));
 }
 
 static bool add_quadric(struct csg_carrier_builder *builder, uint32_t leaf,
-                        const struct csg_leaf_extent *extent, bool alone, struct csg_face *face)
+                        const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                        bool alone, struct csg_face *face)
 {
-    struct csg_carriers *carriers = builder->carriers;
     const struct csg_quadric *quadric = &builder->scene->leaves[leaf].shape.quadric;
-    *face = (struct csg_face){(uint32_t)carriers->num_quadrics, false};
-    carriers->num_quadrics++;
-    return push_carrier(carriers, quadric_boxes, csg_box_empty) &&
-           push_carrier(carriers, quadric_leaves, leaf) &&
-           csg_array_push(&builder->quadric_rounding, extent->rounding) &&
+    *face = (struct csg_face){0};
+    return place_quadric(builder, leaf, extent->rounding, &face->carrier) &&
+           note_owner(builder, quadric, face->carrier, rank) &&
            (alone || csg_index_add_quadric(&builder->index, quadric, face->carrier));
 }
 
@@ -58,22 +99,52 @@ static bool is_loner(const struct csg_carrier_builder *builder, const uint8_t *l
 }
 
 static bool assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                         const struct csg_leaf_extent *extent, bool alone, struct csg_face *face)
+                         const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                         bool alone, struct csg_face *face)
 {
     struct csg_carriers *carriers = builder->carriers;
     if (alone)
-        return add_plane(builder, plane, extent, alone, face);
+        return add_plane(builder, plane, extent, rank, alone, face);
     const bool was_met = csg_plane_table_find(&builder->planes, carriers->planes, plane, face);
-    const bool is_shared = was_met || csg_carrier_find_plane(builder, plane, extent, face);
+    const bool is_shared = was_met || csg_carrier_find_plane(builder, plane, extent, rank, face);
     carriers->num_shared += is_shared;
-    return (is_shared || add_plane(builder, plane, extent, alone, face)) &&
-           (was_met || csg_plane_table_add(&builder->planes, carriers->planes, plane, face));
+    if (!(is_shared || add_plane(builder, plane, extent, rank, alone, face)) ||
+        !(was_met || csg_plane_table_add(&builder->planes, carriers->planes, plane, face)))
+        return false;
+    if (builder->keeps)
+        builder->plane_uses.data[face->carrier]++;
+    return true;
 }
 
 bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                              const struct csg_leaf_extent *extent, struct csg_face *face)
+                              const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                              struct csg_face *face)
 {
-    return assign_plane(builder, plane, extent, false, face);
+    return assign_plane(builder, plane, extent, rank, false, face);
+}
+
+static bool assign_quadric(struct csg_carrier_builder *builder, uint32_t leaf,
+                           const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                           bool alone)
+{
+    struct csg_carriers *carriers = builder->carriers;
+    struct csg_face *face = &carriers->quadric_faces[leaf];
+    if (!alone && csg_carrier_find_quadric(builder, leaf, extent, rank, face))
+        carriers->num_shared++;
+    else if (!add_quadric(builder, leaf, extent, rank, alone, face))
+        return false;
+    if (builder->keeps)
+        builder->quadric_uses.data[face->carrier]++;
+    carriers->sheets[leaf] =
+        carrier_sheet(&builder->scene->leaves[leaf].shape,
+                      csg_carrier_quadric(builder->scene, carriers, face->carrier));
+    return true;
+}
+
+bool csg_carrier_assign_quadric(struct csg_carrier_builder *builder, uint32_t leaf,
+                                const struct csg_leaf_extent *extent, const struct csg_rank *rank)
+{
+    return assign_quadric(builder, leaf, extent, rank, false);
 }
 
 /* ---- surfaces ----------------------------------------------------------------------------- */
@@ -135,8 +206,11 @@ struct csg_plane csg_carrier_of_face(const struct csgcast_scene *scene, uint32_t
 }
 
 /* Each face that is not remote counts where it is, the largest first. */
-static bool assign_faces(struct csg_carrier_builder *builder, uint32_t leaf, const uint8_t *near)
+static bool assign_faces(struct csg_carrier_builder *builder, const struct csg_rank *rank,
+                         const uint8_t *near)
 {
+    const uint32_t leaf = rank->leaf;
+    struct csg_rank own = *rank;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const size_t begin = builder->carriers->face_begin[leaf], num = shape->surface->planes.num;
     struct csg_face *faces = &builder->carriers->faces[begin];
@@ -145,13 +219,13 @@ static bool assign_faces(struct csg_carrier_builder *builder, uint32_t leaf, con
     struct csg_map inverse = csg_map_identity;
     bool ok = ranked != NULL;
     csg_map_invert(&shape->frame, &inverse);
-    for (size_t i = 0; ok && i < num; i++) {
-        const uint32_t face = ranked[i];
+    for (; ok && own.face < num; own.face++) {
+        const uint32_t face = ranked[own.face];
         const struct csg_plane plane = csg_own_plane(shape->surface, face, &inverse);
         const struct csg_leaf_extent extent =
             csg_carrier_face_extent(&extents[face], shape->rounding);
         if (near[face])
-            ok = assign_plane(builder, &plane, &extent,
+            ok = assign_plane(builder, &plane, &extent, &own,
                               is_loner(builder, builder->loners.planes, begin + face),
                               &faces[face]);
         else
@@ -175,37 +249,33 @@ static void count_own(struct csg_carriers *carriers, const struct csg_surface *s
     carriers->num_shared += num_faces - num_own;
 }
 
-static bool assign_surface(struct csg_carrier_builder *builder, uint32_t leaf)
+static bool assign_surface(struct csg_carrier_builder *builder, const struct csg_rank *rank)
 {
+    const uint32_t leaf = rank->leaf;
     const uint8_t *near = builder->remote.near[leaf];
     count_own(builder->carriers, builder->scene->leaves[leaf].shape.surface, near);
-    return !near || assign_faces(builder, leaf, near);
+    return !near || assign_faces(builder, rank, near);
 }
 
-static bool assign_leaf(struct csg_carrier_builder *builder, uint32_t leaf)
+static bool assign_leaf(struct csg_carrier_builder *builder, const struct csg_rank *rank)
 {
     struct csg_carriers *carriers = builder->carriers;
+    const uint32_t leaf = rank->leaf;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
+    struct csg_rank own = *rank;
     if (shape->surface)
-        return assign_surface(builder, leaf);
-    for (size_t i = 0; i < shape->num_planes; i++) {
-        const size_t face = carriers->face_begin[leaf] + i;
+        return assign_surface(builder, rank);
+    for (; own.face < shape->num_planes; own.face++) {
+        const size_t face = carriers->face_begin[leaf] + own.face;
         const bool alone = is_loner(builder, builder->loners.planes, face);
-        if (!assign_plane(builder, &shape->planes[i], &extent, alone, &carriers->faces[face]))
+        if (!assign_plane(builder, &shape->planes[own.face], &extent, &own, alone,
+                          &carriers->faces[face]))
             return false;
     }
-    if (!shape->has_quadric)
-        return true;
-    struct csg_face *face = &carriers->quadric_faces[leaf];
-    const bool alone = is_loner(builder, builder->loners.quadrics, leaf);
-    if (!alone && csg_carrier_find_quadric(builder, leaf, &extent, face))
-        carriers->num_shared++;
-    else if (!add_quadric(builder, leaf, &extent, alone, face))
-        return false;
-    carriers->sheets[leaf] = carrier_sheet(
-        shape, csg_carrier_quadric(builder->scene, carriers, face->carrier));
-    return true;
+    return !shape->has_quadric ||
+           assign_quadric(builder, leaf, &extent, rank,
+                          is_loner(builder, builder->loners.quadrics, leaf));
 }
 
 /* Exponent and four bits of the mantissa: grows with the radius, which is not negative. */
@@ -217,12 +287,18 @@ static uint32_t size_of(double radius)
     return bits >> 19;
 }
 
+struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,
+                                 uint32_t face)
+{
+    const double radius = builder->scene->leaves[leaf].shape.surface
+                              ? 0
+                              : csg_leaf_extent_of(builder, leaf).radius;
+    return (struct csg_rank){size_of(radius), leaf, face};
+}
+
 static int compare_ranked(const void *a, const void *b)
 {
-    const struct ranked_leaf *x = a, *y = b;
-    if (x->size != y->size)
-        return x->size > y->size ? -1 : 1;
-    return x->leaf < y->leaf ? -1 : x->leaf > y->leaf;
+    return csg_rank_compare(a, b);
 }
 
 static bool rank_object(struct csg_carrier_builder *builder, const struct csg_object *object)
@@ -235,9 +311,7 @@ static bool rank_object(struct csg_carrier_builder *builder, const struct csg_ob
         if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || builder->wanted[leaf])
             continue;
         builder->wanted[leaf] = true;
-        const double radius =
-            scene->leaves[leaf].shape.surface ? 0 : csg_leaf_extent_of(builder, leaf).radius;
-        ok = csg_array_push(&builder->leaves, ((struct ranked_leaf){size_of(radius), leaf}));
+        ok = csg_array_push(&builder->leaves, csg_carrier_rank(builder, leaf, 0));
     }
     return ok;
 }
@@ -271,6 +345,27 @@ static struct csg_box finite_box(const struct csg_carrier_builder *builder)
     return box;
 }
 
+/* How far a face that coincides with one of the leaf's may be from it, over the leaf. */
+static double double_tolerance(const struct csg_leaf_extent *extent)
+{
+    return 2 * csg_carrier_tolerance(extent, extent->rounding);
+}
+
+static bool is_speck(const struct csg_leaf_extent *extent)
+{
+    return !(double_tolerance(extent) <= MAX_SHARE * extent->radius);
+}
+
+/* The same at the scene's far end. */
+static double slack_of(const struct csg_carrier_builder *builder, uint32_t leaf,
+                       const struct csg_leaf_extent *extent)
+{
+    const bool is_surface = builder->scene->leaves[leaf].shape.surface != NULL;
+    const double lever = is_surface ? MAX_LEVER : builder->radius / extent->radius;
+    return double_tolerance(extent) *
+           (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
+}
+
 /* ... and how far two matching faces can differ there at most. */
 bool csg_carrier_start_index(struct csg_carrier_builder *builder)
 {
@@ -279,21 +374,37 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder)
     const bool empty = csg_box_is_empty(&box);
     const struct csg_vec3 center =
         empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
-    builder->radius = empty ? 1 : 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    double slack = 0, largest = 0;
-    builder->largest_rounding = 0;
+    const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
+    builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box.hi, box.lo));
+    builder->largest_slack = builder->largest_tolerance = builder->largest_rounding = 0;
     for (uint32_t i = 0; i < scene->num_leaves; i++) {
         if (!builder->wanted[i])
             continue;
         const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, i);
-        const double length = 2 * csg_carrier_tolerance(&extent, extent.rounding);
-        const double lever =
-            scene->leaves[i].shape.surface ? MAX_LEVER : builder->radius / extent.radius;
-        slack = fmax(slack, length * (1 + fmin(lever, MAX_LEVER)));
-        largest = fmax(largest, length);
+        builder->largest_slack = fmax(builder->largest_slack, room * slack_of(builder, i, &extent));
+        builder->largest_tolerance =
+            fmax(builder->largest_tolerance, room * double_tolerance(&extent));
         builder->largest_rounding = fmax(builder->largest_rounding, extent.rounding);
     }
-    return csg_index_start(&builder->index, center, builder->radius, slack, largest);
+    return csg_index_start(&builder->index, center, builder->radius, builder->largest_slack,
+                           builder->largest_tolerance);
+}
+
+bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf)
+{
+    const struct csg_leaf *own = &builder->scene->leaves[leaf];
+    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
+    return csg_box_is_finite(&own->box) && !own->shape.surface && !is_speck(&extent);
+}
+
+bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf)
+{
+    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
+    const double away = csg_length(csg_sub(extent.center, builder->index.center));
+    return csg_carrier_can_follow(builder, leaf) &&
+           away + extent.radius <= builder->radius &&
+           slack_of(builder, leaf, &extent) <= builder->largest_slack &&
+           double_tolerance(&extent) <= builder->largest_tolerance;
 }
 
 /* Faces of surfaces have a place where not all are remote. */
@@ -305,7 +416,7 @@ static size_t count_faces(const struct csg_carrier_builder *builder, size_t leaf
     return builder->remote.near && builder->remote.near[leaf] ? shape->surface->planes.num : 0;
 }
 
-static bool allocate(struct csg_carrier_builder *builder)
+bool csg_carriers_allocate_faces(struct csg_carrier_builder *builder)
 {
     struct csg_carriers *carriers = builder->carriers;
     const struct csgcast_scene *scene = builder->scene;
@@ -325,8 +436,18 @@ static bool allocate(struct csg_carrier_builder *builder)
     if (!carriers->faces || !carriers->quadric_faces || !carriers->sheets)
         return false;
     for (size_t i = 0; i < num; i++)
-        carriers->quadric_faces[i] = (struct csg_face){CSG_NO_CARRIER, false};
+        carriers->quadric_faces[i] = (struct csg_face){.carrier = CSG_NO_CARRIER};
     return true;
+}
+
+/* Edits are followed where leaves have bounds and are neither surfaces nor specks: what the others'
+ * faces lie on depends on more than the faces near them. */
+static bool can_keep(const struct csg_carrier_builder *builder)
+{
+    for (size_t i = 0; i < builder->leaves.num; i++)
+        if (!csg_carrier_can_follow(builder, builder->leaves.data[i].leaf))
+            return false;
+    return builder->leaves.num > 1;
 }
 
 /* Coincidence is looked for among all leaves: flush faces of different objects share carriers too,
@@ -335,6 +456,7 @@ static bool assign_all(struct csg_carrier_builder *builder)
 {
     if (!rank_leaves(builder))
         return false;
+    builder->keeps = builder->keeps && can_keep(builder);
     builder->is_alone = builder->leaves.num == 1 &&
                         !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
     if (!builder->is_alone &&
@@ -342,24 +464,27 @@ static bool assign_all(struct csg_carrier_builder *builder)
          !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
                           builder->largest_rounding)))
         return false;
-    if (!allocate(builder) || (!builder->is_alone && !csg_loners_find(&builder->loners, builder)))
+    if (!csg_carriers_allocate_faces(builder) || (!builder->is_alone && !builder->keeps &&
+                               !csg_loners_find(&builder->loners, builder)))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
-        if (!assign_leaf(builder, builder->leaves.data[i].leaf))
+        if (!assign_leaf(builder, &builder->leaves.data[i]))
             return false;
     return true;
 }
 
-/* What can be seen of each quadric: its leaves, as far as the objects reach that they are in. */
-static void fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers)
+/* Its leaves, as far as the objects reach that they are in. */
+void csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers)
 {
+    for (size_t i = 0; i < carriers->num_quadric_boxes; i++)
+        carriers->quadric_boxes[i] = csg_box_empty;
     for (size_t i = 0; i < scene->objects->num; i++) {
         const struct csg_object *object = &scene->objects->data[i];
         const struct csg_node *nodes = scene->trees[object->layer].data;
         for (uint32_t j = object->begin; j < object->end; j++) {
             const struct csg_face face = nodes[j].op == CSG_LEAF && !nodes[j].spare
                                              ? carriers->quadric_faces[nodes[j].leaf]
-                                             : (struct csg_face){CSG_NO_CARRIER, false};
+                                             : (struct csg_face){.carrier = CSG_NO_CARRIER};
             if (face.carrier == CSG_NO_CARRIER)
                 continue;
             struct csg_box box = csg_leaf_box(&scene->leaves[nodes[j].leaf]);
@@ -380,21 +505,39 @@ void csg_carrier_builder_finish(struct csg_carrier_builder *builder)
     csg_plane_table_finish(&builder->planes);
     free(builder->plane_rounding.data);
     free(builder->quadric_rounding.data);
+    free(builder->plane_ranks.data);
+    free(builder->quadric_ranks.data);
+    free(builder->plane_uses.data);
+    free(builder->quadric_uses.data);
+    free(builder->free_planes.data);
+    free(builder->free_quadrics.data);
     free(builder->leaves.data);
 }
 
-struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
-                                         const struct csg_carriers_before *before)
+void csg_carrier_builder_destroy(struct csg_carrier_builder *builder)
 {
-    struct csg_carrier_builder builder = {
-        .scene = scene, .before = before, .carriers = calloc(1, sizeof *builder.carriers)};
-    const bool ok = builder.carriers && assign_all(&builder);
-    if (ok)
-        fill_boxes(scene, builder.carriers);
-    csg_carrier_builder_finish(&builder);
-    if (ok)
-        return builder.carriers;
-    csg_carriers_destroy(builder.carriers);
+    if (builder)
+        csg_carrier_builder_finish(builder);
+    free(builder);
+}
+
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene, bool keeps)
+{
+    struct csg_carriers *carriers = calloc(1, sizeof *carriers);
+    struct csg_carrier_builder *builder = calloc(1, sizeof *builder);
+    if (carriers && builder) {
+        *builder = (struct csg_carrier_builder){
+            .scene = scene, .carriers = carriers, .keeps = keeps};
+        if (assign_all(builder)) {
+            csg_carriers_fill_boxes(scene, carriers);
+            carriers->kept = builder->keeps ? builder : NULL;
+            if (!builder->keeps)
+                csg_carrier_builder_destroy(builder);
+            return carriers;
+        }
+    }
+    csg_carrier_builder_destroy(builder);
+    csg_carriers_destroy(carriers);
     return NULL;
 }
 
@@ -402,6 +545,7 @@ void csg_carriers_destroy(struct csg_carriers *carriers)
 {
     if (!carriers)
         return;
+    csg_carrier_builder_destroy(carriers->kept);
     free(carriers->planes);
     free(carriers->quadric_boxes);
     free(carriers->quadric_leaves);

@@ -18,6 +18,7 @@ struct csg_face {
     uint32_t carrier;
     bool
         flipped; /* plane: the leaf's normal is the carrier's, negated; quadric: inside is f >= 0 */
+    bool is_other; /* its own plane is not the carrier's to the last bit */
 };
 
 struct csg_carriers {
@@ -28,6 +29,7 @@ struct csg_carriers {
     size_t quadric_boxes_capacity, num_quadric_boxes;
     uint32_t *quadric_leaves; /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity, num_quadric_leaves;
+    size_t num_unused_planes, num_unused_quadrics; /* carriers that an edit has left without faces */
     size_t num_shared; /* faces that found an earlier face's carrier */
     size_t num_own;    /* planes of surfaces that nothing else can lie on: not in planes[] */
 
@@ -36,6 +38,7 @@ struct csg_carriers {
                                      * whose faces are all its own there are none */
     struct csg_face *quadric_faces; /* per leaf; carrier CSG_NO_CARRIER where it has none */
     int8_t *sheets;                 /* per leaf: shape.sheet, in the carrier's canonical space */
+    struct csg_carrier_builder *kept; /* in scenes that are edited, for the next edit; or NULL */
 };
 
 /* Of a surface's face: it is its own, see csg_carrier_of_face. */
@@ -64,16 +67,8 @@ static inline const struct csg_quadric *csg_carrier_quadric(const struct csgcast
  */
 #define CSG_COINCIDENT_RELATIVE 1e-11
 
-/* What an edit knows of the scene before it: whether two quadrics coincide needs no measuring where
- * neither leaf has changed. */
-struct csg_carriers_before {
-    const struct csg_carriers *carriers;
-    const uint32_t *changed; /* by leaf: not 0 where it has */
-};
-
-/* before: NULL where there is none. The result does not depend on it. NULL: out of memory. */
-struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene,
-                                         const struct csg_carriers_before *before);
+/* keeps: what csg_carriers_edit needs. The result does not depend on it. NULL: out of memory. */
+struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene, bool keeps);
 void csg_carriers_destroy(struct csg_carriers *carriers);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef CSG_CSG_CARRIER_BUILDER_H
 #define CSG_CSG_CARRIER_BUILDER_H
 
-/* Carriers while they are found, leaf by leaf. For carrier.c and carrier_find.c. */
+/* Carriers while they are found, leaf by leaf. For carrier*.c. */
 
 #include "csg/carrier.h"
 #include "csg/carrier_index.h"
@@ -20,16 +20,36 @@ struct csg_leaf_extent {
     double rounding;
 };
 
-/* Leaves within a sixteenth of an octave in size count as equal: what follows goes through large
- * scenes in the order of their file then, and so of memory, most of the time. */
-struct ranked_leaf {
-    uint32_t size, leaf;
+/*
+ * The order in which faces get their carriers: the largest leaf's first, of the earlier leaf, in its
+ * own order. A face lies on the first carrier that it may lie on, and only one before itself.
+ * Leaves within a sixteenth of an octave in size count as equal: what follows goes through large
+ * scenes in the order of their file then, and so of memory, most of the time.
+ */
+struct csg_rank {
+    uint32_t size, leaf, face;
 };
+
+static inline int csg_rank_compare(const struct csg_rank *a, const struct csg_rank *b)
+{
+    if (a->size != b->size)
+        return a->size > b->size ? -1 : 1;
+    if (a->leaf != b->leaf)
+        return a->leaf < b->leaf ? -1 : 1;
+    return a->face < b->face ? -1 : a->face > b->face;
+}
 
 struct csg_carrier_builder {
     const struct csgcast_scene *scene;
-    const struct csg_carriers_before *before; /* may be NULL */
     struct csg_carriers *carriers;
+    bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
+    /* Where it keeps; otherwise carriers are in the order of their ranks. */
+    CSG_ARRAY(struct csg_rank) plane_ranks; /* by carrier: of the face that it came from */
+    CSG_ARRAY(struct csg_rank) quadric_ranks;
+    CSG_ARRAY(uint32_t) plane_uses; /* by carrier: faces on it */
+    CSG_ARRAY(uint32_t) quadric_uses;
+    CSG_ARRAY(uint32_t) free_planes; /* carriers that edits have left without faces */
+    CSG_ARRAY(uint32_t) free_quadrics;
     CSG_ARRAY(double) plane_rounding; /* of the leaf each carrier came from */
     CSG_ARRAY(double) quadric_rounding;
     struct csg_carrier_index index;
@@ -38,20 +58,46 @@ struct csg_carrier_builder {
     bool is_alone;              /* the only leaf: no face can coincide with another */
     struct csg_remote remote;   /* faces of surfaces that have no place in carriers->faces */
     struct csg_loners loners;   /* neither in the index nor in the table */
-    double radius;              /* of the finite part of the scene */
+    double radius;              /* of the finite part of the scene; where it keeps, with room */
     double largest_rounding;    /* of the leaves at hand */
-    CSG_ARRAY(struct ranked_leaf) leaves; /* largest first */
+    double largest_slack, largest_tolerance; /* see csg_index_start */
+    CSG_ARRAY(struct csg_rank) leaves; /* in their order */
 };
 
 /* All but the carriers. */
 void csg_carrier_builder_finish(struct csg_carrier_builder *builder);
+void csg_carrier_builder_destroy(struct csg_carrier_builder *builder);
+
+/* Room for the faces of all leaves; none has a carrier. false: out of memory. */
+bool csg_carriers_allocate_faces(struct csg_carrier_builder *builder);
 
 /* For the leaves that are wanted. false: out of memory. */
 bool csg_carrier_start_index(struct csg_carrier_builder *builder);
 
-/* The carrier of a plane: one that is there, or a new one. false: out of memory. */
+/* Where edits follow, the index is made for a scene so many times larger, and rounded so much more
+ * coarsely: most edits stay within that. */
+#define CSG_CARRIER_ROOM 2.0
+
+/* Whether the leaf is of those whose edits can be followed, and whether the index has room for it. */
+bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf);
+bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf);
+
+/* What can be seen of each quadric. */
+void csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers);
+
+/* The carrier of a plane: one that is there, or a new one. rank: the face's; NULL where the builder
+ * does not keep. false: out of memory. */
 bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                              const struct csg_leaf_extent *extent, struct csg_face *face);
+                              const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                              struct csg_face *face);
+
+/* The same for the leaf's quadric, the face in builder->carriers and its sheet. */
+bool csg_carrier_assign_quadric(struct csg_carrier_builder *builder, uint32_t leaf,
+                                const struct csg_leaf_extent *extent, const struct csg_rank *rank);
+
+/* Of a leaf's faces. */
+struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,
+                                 uint32_t face);
 
 /* The faces with these extents, the largest first. NULL: out of memory. */
 uint32_t *csg_carrier_rank_faces(const struct csg_surface_extent *extents, size_t num);
@@ -63,11 +109,13 @@ struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *buil
 /* How far a face of the leaf may be off one that has that rounding and coincides with it. */
 double csg_carrier_tolerance(const struct csg_leaf_extent *extent, double other_rounding);
 
-/* The carrier that the plane, or the leaf's quadric, lies on; false: there is none. */
+/* The carrier that the plane, or the leaf's quadric, lies on: of all that are within the tolerance
+ * the first, which does not depend on how they are looked for; false: there is none. */
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,
                             const struct csg_plane *plane, const struct csg_leaf_extent *extent,
-                            struct csg_face *face);
+                            const struct csg_rank *rank, struct csg_face *face);
 bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_t leaf,
-                              const struct csg_leaf_extent *extent, struct csg_face *face);
+                              const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                              struct csg_face *face);
 
 #endif

@@ -45,23 +45,33 @@ static double alignment(const struct csg_plane *a, const struct csg_plane *b)
     return csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
 }
 
+/* Whether the face of that rank asks for the carrier: it comes before the face, and before what was
+ * found so far. */
+static bool is_asked_for(const struct csg_carrier_builder *builder, const struct csg_rank *ranks,
+                         uint32_t carrier, const struct csg_rank *rank, uint32_t found)
+{
+    if (!builder->keeps) /* in the order of ranks */
+        return carrier < found;
+    return csg_rank_compare(&ranks[carrier], rank) < 0 &&
+           (found == CSG_NO_CARRIER || csg_rank_compare(&ranks[carrier], &ranks[found]) < 0);
+}
+
 /* Of the carriers parallel to like. */
-static bool find_parallel(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
+static void find_parallel(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
                           const struct csg_plane *like, const struct csg_leaf_extent *extent,
-                          struct csg_face *face)
+                          const struct csg_rank *rank, struct csg_face *face)
 {
     struct csg_index_probe probe;
     csg_index_probe_parallel(&builder->index, like, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        if (!is_asked_for(builder, builder->plane_ranks.data, i, rank, face->carrier))
+            continue;
         const struct csg_plane *carrier = &builder->carriers->planes[i];
         const double s = alignment(plane, carrier);
         if (plane_deviation(plane, carrier, s, extent) <=
-            csg_carrier_tolerance(extent, builder->plane_rounding.data[i])) {
-            *face = (struct csg_face){i, s < 0};
-            return true;
-        }
+            csg_carrier_tolerance(extent, builder->plane_rounding.data[i]))
+            *face = (struct csg_face){.carrier = i, .flipped = s < 0, .is_other = true};
     }
-    return false;
 }
 
 /* The plane through the middle of the leaf's face that has another one's normal. */
@@ -76,21 +86,20 @@ static struct csg_plane turned_plane(const struct csg_plane *plane, const struct
 
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,
                             const struct csg_plane *plane, const struct csg_leaf_extent *extent,
-                            struct csg_face *face)
+                            const struct csg_rank *rank, struct csg_face *face)
 {
-    if (find_parallel(builder, plane, plane, extent, face))
-        return true;
+    face->carrier = CSG_NO_CARRIER;
+    find_parallel(builder, plane, plane, extent, rank, face);
     struct csg_index_probe probe;
     csg_index_probe_normals(&builder->index, plane, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         const struct csg_plane *carrier = &builder->carriers->planes[i];
         const struct csg_plane like = turned_plane(plane, carrier, extent);
         if (plane_deviation(plane, &like, alignment(plane, &like), extent) <=
-                csg_carrier_tolerance(extent, builder->largest_rounding) &&
-            find_parallel(builder, plane, &like, extent, face))
-            return true;
+            csg_carrier_tolerance(extent, builder->largest_rounding))
+            find_parallel(builder, plane, &like, extent, rank, face);
     }
-    return false;
+    return face->carrier != CSG_NO_CARRIER;
 }
 
 /* Same normal form up to sign: the only quadrics that can be the same surface. */
@@ -122,45 +131,28 @@ static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec
     return num_points >= 9;
 }
 
-/* Whether the leaf lay on the carrier before, with nothing changed that decides it: of a leaf
- * without bounds the whole scene does. */
-static bool was_on(const struct csg_carrier_builder *builder, uint32_t leaf,
-                   const struct csg_leaf_extent *extent, uint32_t carrier, struct csg_face *face)
-{
-    const struct csg_carriers_before *before = builder->before;
-    if (!before || before->changed[leaf] || !isfinite(extent->radius))
-        return false;
-    const struct csg_face was = before->carriers->quadric_faces[leaf];
-    const uint32_t owner = builder->carriers->quadric_leaves[carrier];
-    if (was.carrier == CSG_NO_CARRIER || before->changed[owner] ||
-        before->carriers->quadric_leaves[was.carrier] != owner)
-        return false;
-    *face = (struct csg_face){carrier, was.flipped};
-    return true;
-}
-
 bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_t leaf,
-                         const struct csg_leaf_extent *extent, struct csg_face *face)
+                              const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                              struct csg_face *face)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     struct csg_vec3 points[CSG_NUM_SAMPLES];
     size_t num_points = 0;
     struct csg_index_probe probe;
+    face->carrier = CSG_NO_CARRIER;
     csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         const struct csg_quadric *carrier =
             csg_carrier_quadric(builder->scene, builder->carriers, i);
-        if (!same_class(&shape->quadric, carrier))
+        if (!is_asked_for(builder, builder->quadric_ranks.data, i, rank, face->carrier) ||
+            !same_class(&shape->quadric, carrier))
             continue;
-        if (was_on(builder, leaf, extent, i, face))
-            return true;
         if (!num_points)
             num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
         if (same_surface(carrier, points, num_points,
-                         csg_carrier_tolerance(extent, builder->quadric_rounding.data[i]))) {
-            *face = (struct csg_face){i, is_flipped(&shape->quadric, carrier, points[0])};
-            return true;
-        }
+                         csg_carrier_tolerance(extent, builder->quadric_rounding.data[i])))
+            *face = (struct csg_face){
+                .carrier = i, .flipped = is_flipped(&shape->quadric, carrier, points[0])};
     }
-    return false;
+    return face->carrier != CSG_NO_CARRIER;
 }

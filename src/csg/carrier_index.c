@@ -42,6 +42,8 @@ bool csg_index_start(struct csg_carrier_index *index, struct csg_vec3 center, do
     index->fine = fmax(4 * tolerance, 1e-12 * radius);
     index->directions = (struct csg_directions){{0}};
     index->entries.num = 0;
+    index->members.num = index->quadric_keys.num = 0;
+    index->free_entry = NO_ENTRY;
     index->buckets.num = 0;
     if (!csg_array_reserve(&index->buckets, INITIAL_BUCKETS))
         return false;
@@ -54,6 +56,8 @@ void csg_index_finish(struct csg_carrier_index *index)
 {
     free(index->buckets.data);
     free(index->entries.data);
+    free(index->members.data);
+    free(index->quadric_keys.data);
 }
 
 /* Coordinates in cells. A plane and its reverse get the same ones: those of the normal that leans
@@ -137,18 +141,34 @@ static bool double_buckets(struct csg_carrier_index *index)
     for (size_t i = 0; i < num; i++)
         index->buckets.data[i] = NO_ENTRY;
     for (uint32_t i = 0; i < index->entries.num; i++)
-        link_entry(index, i);
+        link_entry(index, i); /* there are no free ones */
     return true;
 }
 
 static bool add(struct csg_carrier_index *index, const struct csg_index_entry *entry)
 {
+    const uint32_t free_entry = index->free_entry;
+    if (free_entry != NO_ENTRY) {
+        index->free_entry = index->entries.data[free_entry].next;
+        index->entries.data[free_entry] = *entry;
+        link_entry(index, free_entry);
+        return true;
+    }
     if (index->entries.num >= index->buckets.num && !double_buckets(index))
         return false;
     if (!csg_array_push(&index->entries, *entry))
         return false;
     link_entry(index, (uint32_t)index->entries.num - 1);
     return true;
+}
+
+/* The entry that *link leads to. */
+static void remove_entry(struct csg_carrier_index *index, uint32_t *link)
+{
+    const uint32_t entry = *link;
+    *link = index->entries.data[entry].next;
+    index->entries.data[entry].next = index->free_entry;
+    index->free_entry = entry;
 }
 
 static bool add_with_normal(struct csg_carrier_index *index, uint64_t key, int64_t normal,
@@ -159,10 +179,11 @@ static bool add_with_normal(struct csg_carrier_index *index, uint64_t key, int64
     return add(index, &entry);
 }
 
-/* Of a cell, for one of the three ways to look. */
+/* Of a cell, for one of the three ways to look, which must not meet: small numbers of cells would
+ * make up for kinds that follow each other. */
 static uint64_t key_of_cell(uint64_t kind, const int64_t cell[3])
 {
-    uint64_t hash = kind + 0x9e3779b97f4a7c15u;
+    uint64_t hash = (kind + 1) * 0x9e3779b97f4a7c15u;
     for (int i = 0; i < 3; i++) {
         hash ^= (uint64_t)cell[i];
         hash *= 0xbf58476d1ce4e5b9u;
@@ -256,6 +277,20 @@ bool csg_directions_are_shared(const struct csg_directions *directions,
     return false;
 }
 
+static bool is_same_entry(const struct csg_index_entry *a, uint64_t key, int64_t normal)
+{
+    return a->key == key && a->normal == normal;
+}
+
+/* The link to the entry of a normal in a coarse cell, or the end of its bucket. */
+static uint32_t *normal_link(struct csg_carrier_index *index, uint64_t key, int64_t normal)
+{
+    uint32_t *link = &index->buckets.data[bucket_of(index, key)];
+    while (*link != NO_ENTRY && !is_same_entry(&index->entries.data[*link], key, normal))
+        link = &index->entries.data[*link].next;
+    return link;
+}
+
 static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
                        int64_t normal, uint32_t carrier)
 {
@@ -263,11 +298,33 @@ static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *
     plane_coordinates(index, plane, coordinates);
     note_direction(&index->directions, coordinates, normal);
     const uint64_t key = key_of(KEY_NORMAL, coordinates);
-    for (uint32_t i = index->buckets.data[bucket_of(index, key)]; i != NO_ENTRY;
-         i = index->entries.data[i].next)
-        if (index->entries.data[i].key == key && index->entries.data[i].normal == normal)
-            return true;
-    return add_with_normal(index, key, normal, carrier);
+    const uint32_t entry = *normal_link(index, key, normal);
+    while (index->members.num <= carrier)
+        if (!csg_array_push(&index->members, NO_ENTRY))
+            return false;
+    index->members.data[carrier] = NO_ENTRY;
+    if (entry == NO_ENTRY)
+        return add_with_normal(index, key, normal, carrier);
+    index->members.data[carrier] = index->entries.data[entry].carrier;
+    index->entries.data[entry].carrier = carrier;
+    return true;
+}
+
+static void remove_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
+                          int64_t normal, uint32_t carrier)
+{
+    double coordinates[3];
+    plane_coordinates(index, plane, coordinates);
+    uint32_t *link = normal_link(index, key_of(KEY_NORMAL, coordinates), normal);
+    if (*link == NO_ENTRY)
+        return;
+    uint32_t *member = &index->entries.data[*link].carrier;
+    while (*member != carrier && *member != NO_ENTRY)
+        member = &index->members.data[*member];
+    if (*member == carrier)
+        *member = index->members.data[carrier];
+    if (index->entries.data[*link].carrier == NO_ENTRY)
+        remove_entry(index, link);
 }
 
 bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -277,6 +334,32 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
     const uint64_t key = parallel_key(normal, cell_of(parallel_coordinate(index, plane)));
     return add_with_normal(index, key, normal, carrier) &&
            add_normal(index, plane, normal, carrier);
+}
+
+/* Of the entries with that key the carrier's. */
+static void remove_carrier(struct csg_carrier_index *index, uint64_t key, uint32_t carrier)
+{
+    uint32_t *link = &index->buckets.data[bucket_of(index, key)];
+    for (; *link != NO_ENTRY; link = &index->entries.data[*link].next)
+        if (index->entries.data[*link].key == key &&
+            index->entries.data[*link].carrier == carrier) {
+            remove_entry(index, link);
+            return;
+        }
+}
+
+void csg_index_remove_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
+                            uint32_t carrier)
+{
+    const int64_t normal = number_of(plane->normal);
+    remove_carrier(index, parallel_key(normal, cell_of(parallel_coordinate(index, plane))),
+                   carrier);
+    remove_normal(index, plane, normal, carrier);
+}
+
+uint32_t csg_index_next_member(const struct csg_carrier_index *index, uint32_t carrier)
+{
+    return index->members.data[carrier];
 }
 
 /* Only quadrics of equal normal forms, up to their sign, can be the same surface. */
@@ -315,7 +398,16 @@ bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_qua
     quadric_coordinates(index, quadric, coordinates);
     entry.key = key_of(quadric_kind(quadric), coordinates);
     put_place(coordinates, entry.place);
+    while (index->quadric_keys.num <= carrier)
+        if (!csg_array_push(&index->quadric_keys, 0))
+            return false;
+    index->quadric_keys.data[carrier] = entry.key;
     return add(index, &entry);
+}
+
+void csg_index_remove_quadric(struct csg_carrier_index *index, uint32_t carrier)
+{
+    remove_carrier(index, index->quadric_keys.data[carrier], carrier);
 }
 
 /* The neighbour of a coordinate's cell that it is nearer to. */

@@ -5,8 +5,8 @@
 /*
  * A hash over carriers: finds the few that a face could lie on. Planes are kept twice: by their
  * normal to the last bit and their offset, which parts the thousands of parallel faces of a model
- * finely, and one for each normal by the place of both in coarse cells, which tells what normals
- * there are that nearly agree.
+ * finely, and by the place of both in coarse cells, which tells what normals there are that nearly
+ * agree: there, those of one normal in one cell are one entry.
  */
 
 #include <stdint.h>
@@ -41,6 +41,9 @@ struct csg_carrier_index {
     struct csg_directions directions; /* of the planes in it */
     CSG_ARRAY(uint32_t) buckets;
     CSG_ARRAY(struct csg_index_entry) entries;
+    uint32_t free_entry; /* the first of those that were removed; UINT32_MAX: none */
+    CSG_ARRAY(uint64_t) quadric_keys; /* by quadric */
+    CSG_ARRAY(uint32_t) members; /* by plane: the next of its normal and coarse cell */
 };
 
 /* Walks the entries of the cells around a face. */
@@ -63,12 +66,19 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
 bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_quadric *quadric,
                            uint32_t carrier);
 
+/* Take out again what was added. */
+void csg_index_remove_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
+                            uint32_t carrier);
+void csg_index_remove_quadric(struct csg_carrier_index *index, uint32_t carrier);
+
 /* Planes with that normal or its reverse, to the last bit, and nearly that offset. */
 void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
                               struct csg_index_probe *probe);
 /* One plane at least of each other normal that a coincident plane could have. */
 void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
                              struct csg_index_probe *probe);
+/* The next plane with the normal of one that this found, in its cell; UINT32_MAX: no more. */
+uint32_t csg_index_next_member(const struct csg_carrier_index *index, uint32_t carrier);
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
                              const struct csg_quadric *quadric, struct csg_index_probe *probe);
 

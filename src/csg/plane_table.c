@@ -8,6 +8,7 @@ void csg_plane_table_finish(struct csg_plane_table *table)
 {
     free(table->slots);
     free(table->others.data);
+    free(table->free_others.data);
     *table = (struct csg_plane_table){0};
 }
 
@@ -56,11 +57,12 @@ static struct csg_plane plane_in(const struct csg_plane_table *table,
     if (is_other(slot)) {
         const struct csg_other_plane *other = &table->others.data[slot->place - CSG_PLANE_OTHER];
         *face = other->face;
+        face->is_other = true;
         return other->plane;
     }
     struct csg_plane plane = planes[slot->place - 1];
     const bool is_turned = turn(&plane);
-    *face = (struct csg_face){slot->place - 1, is_turned};
+    *face = (struct csg_face){.carrier = slot->place - 1, .flipped = is_turned};
     return plane;
 }
 
@@ -96,7 +98,7 @@ bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_
     const bool is_turned = turn(&turned);
     if (!table->room || slot_of(table, planes, &turned, &there)->place == 0)
         return false;
-    *face = (struct csg_face){there.carrier, there.flipped != is_turned};
+    *face = (struct csg_face){there.carrier, there.flipped != is_turned, there.is_other};
     return true;
 }
 
@@ -124,6 +126,59 @@ static bool grow(struct csg_plane_table *table, const struct csg_plane *planes)
     return true;
 }
 
+/* The plane that one of the slots holds. */
+static struct csg_plane plane_at(const struct csg_plane_table *table,
+                                 const struct csg_plane *planes, size_t slot)
+{
+    struct csg_face face;
+    return plane_in(table, planes, &table->slots[slot], &face);
+}
+
+/* What stands behind a slot that becomes free moves up, where it is looked for from there or
+ * before (Knuth, TAOCP 6.4, algorithm R). */
+static void close_gap(struct csg_plane_table *table, const struct csg_plane *planes, size_t gap)
+{
+    const size_t mask = table->room - 1;
+    for (size_t i = (gap + 1) & mask; table->slots[i].place != 0; i = (i + 1) & mask) {
+        const struct csg_plane plane = plane_at(table, planes, i);
+        const size_t wanted = place_of(table, hash_of(&plane));
+        if (((i - wanted) & mask) < ((i - gap) & mask))
+            continue;
+        table->slots[gap] = table->slots[i];
+        gap = i;
+    }
+    table->slots[gap] = (struct csg_plane_slot){0};
+}
+
+void csg_plane_table_remove(struct csg_plane_table *table, const struct csg_plane *planes,
+                            const struct csg_plane *plane)
+{
+    struct csg_plane turned = *plane;
+    struct csg_face face;
+    turn(&turned);
+    struct csg_plane_slot *slot = table->room ? slot_of(table, planes, &turned, &face) : NULL;
+    if (!slot || slot->place == 0)
+        return;
+    /* Without memory for that the place is lost until the table ends. */
+    if (is_other(slot))
+        (void)!csg_array_push(&table->free_others, slot->place - CSG_PLANE_OTHER);
+    table->num--;
+    close_gap(table, planes, (size_t)(slot - table->slots));
+}
+
+static bool add_other(struct csg_plane_table *table, const struct csg_other_plane *other,
+                      uint32_t *place)
+{
+    if (table->free_others.num == 0) {
+        *place = CSG_PLANE_OTHER + (uint32_t)table->others.num;
+        return csg_array_push(&table->others, *other);
+    }
+    const uint32_t free_place = table->free_others.data[--table->free_others.num];
+    table->others.data[free_place] = *other;
+    *place = CSG_PLANE_OTHER + free_place;
+    return true;
+}
+
 bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *planes,
                          const struct csg_plane *plane, const struct csg_face *face)
 {
@@ -139,7 +194,7 @@ bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *
     table->num++;
     if (is_same(&own, &turned) && slot->place < CSG_PLANE_OTHER)
         return true;
-    const struct csg_other_plane other = {turned, {face->carrier, face->flipped != is_turned}};
-    slot->place = CSG_PLANE_OTHER + (uint32_t)table->others.num;
-    return csg_array_push(&table->others, other);
+    const struct csg_other_plane other = {
+        turned, {.carrier = face->carrier, .flipped = face->flipped != is_turned}};
+    return add_other(table, &other, &slot->place);
 }

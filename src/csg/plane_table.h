@@ -29,6 +29,7 @@ struct csg_plane_table {
     struct csg_plane_slot *slots;
     size_t room, num;
     CSG_ARRAY(struct csg_other_plane) others;
+    CSG_ARRAY(uint32_t) free_others; /* of those that were removed */
 };
 
 void csg_plane_table_finish(struct csg_plane_table *table);
@@ -36,6 +37,10 @@ void csg_plane_table_finish(struct csg_plane_table *table);
 /* Whether the plane is there; face gets the plane's. planes: of the carriers. */
 bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *planes,
                           const struct csg_plane *plane, struct csg_face *face);
+
+/* Takes the plane out, if it is there. */
+void csg_plane_table_remove(struct csg_plane_table *table, const struct csg_plane *planes,
+                            const struct csg_plane *plane);
 
 /* Adds a plane that is not there. false: out of memory. */
 bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *planes,

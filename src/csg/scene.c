@@ -7,7 +7,7 @@
 #include "cells/store.h"
 #include "common/clock.h"
 #include "crowd/crowd.h"
-#include "csg/carrier.h"
+#include "csg/carrier_edit.h"
 #include "csg/distribute.h"
 #include "csg/framing.h"
 #include "csg/object.h"
@@ -128,8 +128,10 @@ static bool fill_tree_info(struct csgcast_scene *scene)
 
 static void fill_carrier_info(struct csgcast_scene *scene)
 {
-    scene->info.num_planes = scene->carriers->num_planes + scene->carriers->num_own;
-    scene->info.num_quadrics = scene->carriers->num_quadrics;
+    const struct csg_carriers *carriers = scene->carriers;
+    scene->info.num_planes =
+        carriers->num_planes - carriers->num_unused_planes + carriers->num_own;
+    scene->info.num_quadrics = carriers->num_quadrics - carriers->num_unused_quadrics;
     scene->info.num_shared = scene->carriers->num_shared;
 }
 
@@ -210,7 +212,7 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     scene->objects = calloc(1, sizeof *scene->objects);
     if (!scene->objects || !csg_objects_split(scene, scene->objects))
         return false;
-    scene->carriers = csg_carriers_create(scene, before);
+    scene->carriers = before ? csg_carriers_edit(scene, before) : csg_carriers_create(scene, false);
     if (!scene->carriers || !csg_framing_finish(scene) || !csg_distribute(scene))
         return false;
     scene->plan = csg_plan_create(scene);

@@ -96,7 +96,7 @@ void csg_scene_drop_derived(struct csgcast_scene *scene);
 /*
  * Simplifies the trees, merges coincident carriers, fills box and info: after this the scene is
  * immutable. leaves[] with an empty shape must not occur, but for those marked is_empty: they are
- * left out while building. before: of an edit, see csg/carrier.h; else NULL.
+ * left out while building. before: of an edit, see csg/carrier_edit.h; else NULL.
  */
 bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_carriers_before *before);
 

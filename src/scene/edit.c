@@ -139,6 +139,20 @@ static void swap_all(struct session *session)
         csg_patch_swap(&session->patches.data[i], session->scene);
 }
 
+/* Makes anew what follows from the patches, which are in. */
+static bool refinish(struct session *session)
+{
+    const size_t num = session->patches.num;
+    const struct csg_shape **shapes = malloc((num + 1) * sizeof *shapes);
+    if (!shapes)
+        return csg_log_memory(&session->scene->log);
+    for (size_t i = 0; i < num; i++)
+        shapes[i] = &session->patches.data[i].leaf.shape;
+    const bool ok = csg_edits_refinish(session->scene, shapes);
+    free(shapes);
+    return ok;
+}
+
 /* Puts the patches in. false, with nothing changed, when memory is out. */
 static bool commit(struct session *session)
 {
@@ -146,7 +160,7 @@ static bool commit(struct session *session)
         if (!csg_patch_place(&session->patches.data[i]))
             return csg_log_memory(&session->scene->log);
     swap_all(session);
-    if (session->moves && !csg_edits_refinish(session->scene)) {
+    if (session->moves && !refinish(session)) {
         swap_all(session);
         return false;
     }

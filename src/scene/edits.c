@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edits.h"
-#include "csg/carrier.h"
+#include "csg/carrier_edit.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -59,9 +59,9 @@ static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edit
     return true;
 }
 
-bool csg_edits_refinish(struct csgcast_scene *scene)
+bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes)
 {
-    const struct csg_carriers_before before = {scene->carriers, scene->edits->patches};
+    const struct csg_carriers_before before = {scene->carriers, scene->edits->patches, shapes};
     struct csgcast_scene next = *scene;
     next.objects = NULL;
     next.carriers = NULL;

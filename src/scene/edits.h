@@ -17,8 +17,8 @@ struct csg_edits {
 struct csg_edits *csg_edits_of(struct csgcast_scene *scene);
 void csg_edits_destroy(struct csg_edits *edits);
 
-/* Makes anew what follows from the leaves. false, with a message and nothing changed: no memory. */
-bool csg_edits_refinish(struct csgcast_scene *scene);
+/* Makes anew what follows from the leaves. shapes: by patch, of its leaf before. false, with a message and nothing changed: no memory. */
+bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes);
 
 /* A leaf as an edit will make it, by and by the leaf as it was. */
 struct csg_patch {

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_CARRIER_EDIT_H
+#define CSG_CSG_CARRIER_EDIT_H
+
+/*
+ * Carriers after an edit. Only faces of leaves that have changed, come or gone, and those that lie
+ * on carriers which that can concern, get their carriers anew: a face's carrier depends on the
+ * faces before it (csg_rank) that it may coincide with, and on nothing else.
+ */
+
+#include "csg/carrier.h"
+
+/* The carriers of before the edit, and its leaves. */
+struct csg_carriers_before {
+    struct csg_carriers *carriers;
+    const uint32_t *changed;               /* by leaf: 0, or the place + 1 of its shape in shapes */
+    const struct csg_shape *const *shapes; /* as they were */
+};
+
+/*
+ * The carriers of the scene, whose leaves and objects are those after the edit: the same as
+ * csg_carriers_create makes, but for carriers' numbers. What was kept goes to them; where that does
+ * not do they are created. NULL: out of memory.
+ */
+struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
+                                       const struct csg_carriers_before *before);
+
+#endif
