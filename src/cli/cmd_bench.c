@@ -76,31 +76,16 @@ static bool measure_apart(const struct csg_cli_options *options, const char *inp
 
 /* ---- what is printed ------------------------------------------------------------------------ */
 
-/* Where the first image's time went, but for making the OpenGL context. */
-static void print_first_stages(struct csg_json *json, const struct csgcast_stats *stats)
+static void print_stages(struct csg_json *json, const char *key,
+                         const struct csg_frame_times *times)
 {
-    csg_json_open(json, "first_stages_ms");
-    csg_json_number(json, "load", stats->load_ms);
-    csg_json_number(json, "csg", stats->csg_ms);
-    csg_json_number(json, "compile", stats->compile_ms);
-    csg_json_number(json, "tile", stats->tile_ms);
-    csg_json_number(json, "pack", stats->pack_ms);
-    csg_json_number(json, "upload", stats->upload_ms);
-    csg_json_number(json, "draw", stats->draw_ms);
-    csg_json_number(json, "read", stats->read_ms);
-    csg_json_close(json);
-}
-
-static void print_stages(struct csg_json *json, const struct csg_frame_times *medians)
-{
-    csg_json_open(json, "stages_ms");
-    csg_json_number(json, "edit", medians->edit);
-    csg_json_number(json, "csg", medians->csg);
-    csg_json_number(json, "tile", medians->tile);
-    csg_json_number(json, "pack", medians->pack);
-    csg_json_number(json, "upload", medians->upload);
-    csg_json_number(json, "draw", medians->draw);
-    csg_json_number(json, "read", medians->read);
+    csg_json_open(json, key);
+    csg_json_number(json, "csg", times->csg);
+    csg_json_number(json, "tile", times->tile);
+    csg_json_number(json, "pack", times->pack);
+    csg_json_number(json, "upload", times->upload);
+    csg_json_number(json, "draw", times->draw);
+    csg_json_number(json, "read", times->read);
     csg_json_close(json);
 }
 
@@ -108,7 +93,7 @@ static void print_times(struct csg_json *json, const struct csg_measurement *res
 {
     csg_json_number(json, "load_ms", result->load_ms);
     csg_json_number(json, "first_image_ms", result->first_image_ms);
-    print_first_stages(json, &result->first);
+    print_stages(json, "first_stages_ms", &result->first);
     csg_json_open(json, "frame_ms");
     csg_json_number(json, "median", result->frame_ms.median);
     csg_json_number(json, "min", result->frame_ms.min);
@@ -117,7 +102,7 @@ static void print_times(struct csg_json *json, const struct csg_measurement *res
     csg_json_number(json, "work_ms", result->medians.work);
     csg_json_number(json, "cpu_ms", result->medians.cpu);
     csg_json_number(json, "edit_ms", result->medians.edit);
-    print_stages(json, &result->medians);
+    print_stages(json, "stages_ms", &result->medians);
 }
 
 static void print_json(struct csg_json *json, const char *input,
@@ -134,7 +119,7 @@ static void print_json(struct csg_json *json, const char *input,
     csg_json_string(json, "variants", result->stats.variants);
     print_times(json, result);
     csg_json_size(json, "programs", result->stats.programs);
-    csg_json_size(json, "programs_after_first", result->stats.programs - result->first.programs);
+    csg_json_size(json, "programs_after_first", result->stats.programs - result->first_programs);
     csg_json_number(json, "compile_ms", result->compile_ms);
     csg_json_size(json, "bytes_uploaded", result->stats.bytes_uploaded);
     csg_json_size(json, "texture_bytes", result->stats.texture_bytes);

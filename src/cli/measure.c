@@ -112,6 +112,17 @@ static bool draw(struct run *run)
     return good;
 }
 
+static struct csg_frame_times stages_of(const struct csgcast_stats *stats)
+{
+    return (struct csg_frame_times){.cpu = stats->cpu_ms,
+                                    .csg = stats->csg_ms,
+                                    .tile = stats->tile_ms,
+                                    .pack = stats->pack_ms,
+                                    .upload = stats->upload_ms,
+                                    .draw = stats->draw_ms,
+                                    .read = stats->read_ms};
+}
+
 static bool draw_first(struct run *run)
 {
     struct csgcast_scene_params params = run->options->scene;
@@ -123,14 +134,14 @@ static bool draw_first(struct run *run)
     if (!run->renderer || !draw(run))
         return false;
     run->result->first_image_ms = csg_clock_ms() - begun;
-    run->result->first = run->result->stats;
+    run->result->first = stages_of(&run->result->stats);
+    run->result->first_programs = run->result->stats.programs;
     return true;
 }
 
 static bool draw_frame(struct run *run, int frame)
 {
     const double begun = csg_clock_ms(), worked = csg_clock_work_ms();
-    const struct csgcast_stats *stats = &run->result->stats;
     if (run->options->orbit)
         turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
     if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
@@ -138,17 +149,12 @@ static bool draw_frame(struct run *run, int frame)
     const double edited = csg_clock_ms();
     if (!draw(run))
         return false;
-    run->times[frame] =
-        (struct csg_frame_times){.frame = csg_clock_ms() - begun,
-                                 .work = csg_clock_work_ms() - worked,
-                                 .edit = run->options->edit ? edited - begun : 0,
-                                 .cpu = stats->cpu_ms,
-                                 .csg = run->options->edit ? stats->csg_ms : 0,
-                                 .tile = stats->tile_ms,
-                                 .pack = stats->pack_ms,
-                                 .upload = stats->upload_ms,
-                                 .draw = stats->draw_ms,
-                                 .read = stats->read_ms};
+    struct csg_frame_times *times = &run->times[frame];
+    *times = stages_of(&run->result->stats);
+    times->frame = csg_clock_ms() - begun;
+    times->work = csg_clock_work_ms() - worked;
+    times->edit = run->options->edit ? edited - begun : 0;
+    times->csg = run->options->edit ? times->csg : 0;
     if (is_verbose(run))
         fprintf(stderr, "\r%s: frame %d of %d \r", run->input, frame + 1, run->result->num_frames);
     return true;

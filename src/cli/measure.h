@@ -15,8 +15,8 @@ struct csg_frame_times {
     double frame; /* with its edit */
     double work;  /* of it: processor time, all cores together */
     double edit;  /* of it: csgcast_scene_edit */
-    double cpu;   /* of it: preparing in double precision; and its stages, as in csgcast_stats */
-    double csg, tile, pack, upload, draw, read;
+    double cpu;   /* of it: preparing in double precision */
+    double csg, tile, pack, upload, draw, read; /* stages, as in csgcast_stats */
 };
 
 /* No pointers: it goes through a pipe. */
@@ -27,7 +27,8 @@ struct csg_measurement {
     char renderer[256];
     double load_ms;             /* the scene file */
     double first_image_ms;      /* load, context, programs and the first frame */
-    struct csgcast_stats first; /* of that frame */
+    struct csg_frame_times first; /* of that frame: the stages */
+    size_t first_programs;      /* compiled for it */
     struct csg_spread frame_ms; /* later frames, with their edits */
     struct csg_frame_times medians; /* of them */
     double compile_ms;          /* all programs */

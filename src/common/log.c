@@ -14,25 +14,32 @@ static void print_to_stderr(enum csgcast_log_level level, enum csgcast_message i
         fprintf(stderr, "csgcast: %s%s\n", prefix[level], text);
 }
 
+char *csg_log_format(char small[CSG_LOG_SMALL], const char *format, va_list args)
+{
+    va_list again;
+    va_copy(again, args);
+    const int length = vsnprintf(small, CSG_LOG_SMALL, format, args);
+    char *large = length >= CSG_LOG_SMALL ? malloc((size_t)length + 1) : NULL;
+    if (large)
+        vsnprintf(large, (size_t)length + 1, format, again);
+    va_end(again);
+    return large;
+}
+
 void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
                    enum csgcast_message id, const char *format, ...)
 {
-    char small[512];
-    va_list args, again;
+    char small[CSG_LOG_SMALL];
+    va_list args;
     va_start(args, format);
-    va_copy(again, args);
-    const int length = vsnprintf(small, sizeof small, format, args);
-    char *large = NULL;
-    if (length >= (int)sizeof small && (large = malloc((size_t)length + 1)))
-        vsnprintf(large, (size_t)length + 1, format, again);
+    char *large = csg_log_format(small, format, args);
+    va_end(args);
     const char *text = large ? large : small;
     if (log && log->fn)
         log->fn(log->user, level, id, text);
     else
         print_to_stderr(level, id, text);
     free(large);
-    va_end(again);
-    va_end(args);
 }
 
 static void ignore(void *user, enum csgcast_log_level level, enum csgcast_message id,

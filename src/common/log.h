@@ -2,6 +2,8 @@
 #ifndef CSG_COMMON_LOG_H
 #define CSG_COMMON_LOG_H
 
+#include <stdarg.h>
+
 #include "csgcast/csgcast.h"
 
 /* Where the messages of one scene, renderer or call go. Copied by value. */
@@ -15,6 +17,12 @@ struct csg_log {
 #else
 #define CSG_PRINTF(fmt, args)
 #endif
+
+enum { CSG_LOG_SMALL = 512 };
+
+/* Formats a text of any length: into small, or where that does not hold it into a new string, which
+ * the caller frees; else, and without memory, NULL. */
+char *csg_log_format(char small[CSG_LOG_SMALL], const char *format, va_list args) CSG_PRINTF(2, 0);
 
 /* Formats one message of any length and hands it to the callback. */
 void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,

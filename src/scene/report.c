@@ -40,17 +40,18 @@ void csg_report_init(struct csg_report *report, const struct csg_log *to, const 
 void csg_report_print(struct csg_report *report, enum csgcast_log_level level,
                       enum csgcast_message id, struct csg_place place, const char *format, ...)
 {
-    char text[512];
+    char small[CSG_LOG_SMALL];
     va_list args;
     if (level != CSGCAST_LOG_INFO && report->num[level] >= CSG_REPORT_SHOWN) {
         report->num[level]++;
         return;
     }
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    char *large = csg_log_format(small, format, args);
     va_end(args);
     csg_log_print(&report->log, level, id, "%s:%u:%u: %s", report->file, (unsigned)place.line,
-                  (unsigned)place.column, text);
+                  (unsigned)place.column, large ? large : small);
+    free(large);
 }
 
 void csg_report_hold(struct csg_report *report)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/walk.h"
 
+#include <stdlib.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -69,24 +70,27 @@ bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const
 
 void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
 {
-    char text[256];
+    char small[CSG_LOG_SMALL];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    char *large = csg_log_format(small, format, args);
     va_end(args);
-    csg_unsupported(walk->builder, node, text);
+    csg_unsupported(walk->builder, node, large ? large : small);
+    free(large);
 }
 
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
 {
     const struct csg_node_ops *ops = csg_walk_ops(walk, node);
-    char text[256];
+    char small[CSG_LOG_SMALL];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    char *large = csg_log_format(small, format, args);
     va_end(args);
     csg_report_warning(walk->builder->report, CSGCAST_MESSAGE_SCENE,
-                       csg_walk_node(walk, node)->place, "%s: %s", ops ? ops->name : "node", text);
+                       csg_walk_node(walk, node)->place, "%s: %s", ops ? ops->name : "node",
+                       large ? large : small);
+    free(large);
 }
 
 static bool is_finite_vector(struct csg_vec3 v)

@@ -76,18 +76,13 @@ bool csg_value_numbers(const struct csg_value *value, size_t num, double *number
 
 int csg_args_error(const struct csg_args *args, const char *format, ...)
 {
-    char small[512];
-    va_list list, again;
+    char small[CSG_LOG_SMALL];
+    va_list list;
     va_start(list, format);
-    va_copy(again, list);
-    const int length = vsnprintf(small, sizeof small, format, list);
-    char *large = NULL;
-    if (length >= (int)sizeof small && (large = malloc((size_t)length + 1)))
-        vsnprintf(large, (size_t)length + 1, format, again);
+    char *large = csg_log_format(small, format, list);
+    va_end(list);
     csg_log_error(args->log, CSGCAST_MESSAGE_SCENE, "%s:%u:%u: %s: %s", args->file,
                   (unsigned)args->line, (unsigned)args->column, args->node, large ? large : small);
     free(large);
-    va_end(again);
-    va_end(list);
     return CSG_READ_ERROR;
 }

@@ -94,10 +94,10 @@ expect 1 "bench of nothing, for machines" bench part.csg nothing.csg "${small[@]
 check "an object a file, and stages that are parts of their frame" node -e '
     const [part, nothing] = JSON.parse(require("fs").readFileSync("out", "utf8"));
     const sum = stages => Object.values(stages).reduce((a, b) => a + b, 0);
-    const { edit, csg, ...stages } = part.stages_ms;
+    const { csg, ...stages } = part.stages_ms;
     process.exit(nothing.failed && nothing.scene === "nothing.csg" && !part.failed &&
-        edit >= csg && csg > 0 && stages.draw > 0 &&
-        edit + sum(stages) < 1.01 * part.frame_ms.max &&
+        part.edit_ms >= csg && csg > 0 && stages.draw > 0 &&
+        part.edit_ms + sum(stages) < 1.01 * part.frame_ms.max &&
         sum(part.first_stages_ms) < part.first_image_ms ? 0 : 1);'
 expect 1 "no such leaf" bench part.csg "${small[@]}" --edit=7
 expect 2 "no frames" bench part.csg --frames=0
