@@ -24,7 +24,11 @@ csg_face csg_face_of(int place, vec2 d, float k)
         normal += at.x * csg_texel(place + 1).xyz + at.y * csg_texel(place + 2).xyz +
                   at.z * csg_texel(place + 3).xyz;
 #else
+#ifdef CSG_KNOWS_BENDS
+        vec4 u = vec4(csg_bend_u, 0.0), v = vec4(csg_bend_v, 0.0), w = vec4(csg_bend_w, 0.0);
+#else
         vec4 u = csg_texel(place + 1), v = csg_texel(place + 2), w = csg_texel(place + 3);
+#endif
         normal += d.x * u.xyz + d.y * v.xyz + k * w.xyz;
         k += u.w + (d.x * v.w + d.y * w.w);
 #endif
@@ -40,7 +44,11 @@ csg_face csg_face_of(int place, vec2 d, float k)
 
 vec4 csg_color_of(csg_face face)
 {
+#ifdef CSG_KNOWS_COLORS
+    vec4 base = vec4(csg_tint, 1.0);
+#else
     vec4 base = csg_texel(face.attributes + CSG_ATTRIBUTE_COLOR);
+#endif
     float light = csg_lit.w + abs(dot(face.normal, csg_lit.xyz)) / face.size;
     return vec4(min(base.rgb * light, 1.0), base.a);
 }

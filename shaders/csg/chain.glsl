@@ -28,10 +28,14 @@ vec2 csg_chain_hole(bool negated, csg_span span, inout vec2 whole)
     return negated ? span.key : vec2(CSG_NEVER);
 }
 
-/* All being true just after k: the place of this one's face if it was not so before, else of those
- * that come behind it. */
-ivec2 csg_chain_place(bool negated, vec3 head, csg_span span, float k, ivec2 place)
+/* All being true just after k: whether this one was not so before. */
+bool csg_chain_changes(bool negated, csg_span span, float k)
 {
-    bool changes = negated ? csg_ends(k, span.key) : csg_begins(k, span.key);
-    return changes ? csg_normal_at(head.yz, negated ? span.face.y : span.face.x) : place;
+    return negated ? csg_ends(k, span.key) : csg_begins(k, span.key);
+}
+
+/* Of the face that it has changed at. */
+ivec2 csg_chain_place(bool negated, vec3 head, csg_span span)
+{
+    return csg_normal_at(head.yz, negated ? span.face.y : span.face.x);
 }

@@ -45,3 +45,17 @@ void csg_read_slot_quadric(inout int p, bool has, inout vec3 head, out vec4 q0, 
     head.x += q0.w;
     p += has ? CSG_QUADRIC_TEXELS : 0;
 }
+
+vec3 csg_slot_color(vec3 head)
+{
+    return csg_texel(4 * int(head.y) + CSG_ATTRIBUTE_COLOR).rgb;
+}
+
+/* What the normal of the quadric, if there is one, gains with the pixel and the key. */
+void csg_read_slot_normal(vec3 head, out vec3 u, out vec3 v, out vec3 w)
+{
+    int place = 4 * int(head.y) + CSG_ATTRIBUTE_NORMALS;
+    u = csg_texel(place + 1).xyz;
+    v = csg_texel(place + 2).xyz;
+    w = csg_texel(place + 3).xyz;
+}

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/chooser.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "crowd/crowd.h"
@@ -13,6 +14,11 @@
  * leaves out most of the solids, but takes as long to make as some hundred pixels. */
 #define MANY_STEPS 10
 #define MAX_STEP_PIXELS 3e5
+
+/* The same for fewer steps where tiles are chains, but in scenes that are edited, for which another
+ * set of programs had to be there. */
+#define FEW_STEPS 4
+#define MAX_FEW_STEP_PIXELS 2e6
 
 /* Program of a structure that this frame has met already. */
 struct known {
@@ -34,10 +40,10 @@ struct csg_chooser {
     GLuint chains[CSG_NUM_CHAINS];
     int common_chain; /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
-    uint32_t prepared; /* the object whose cells' program is there, + 1 */
+    uint32_t prepared;       /* the object whose cells' program is there, + 1 */
     uint32_t prepared_whole; /* ... whose programs for tiles and for all of it are */
-    size_t max_handed; /* flat inputs that the driver allows */
-    int max_point;     /* pixels of a point's side */
+    size_t max_handed;       /* flat inputs that the driver allows */
+    int max_point;           /* pixels of a point's side */
 };
 
 static struct csg_structure structure_of(const struct csg_request *request, uint32_t object)
@@ -47,10 +53,18 @@ static struct csg_structure structure_of(const struct csg_request *request, uint
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-/* Whether a small structure is drawn in one piece only where it covers few pixels. */
-static bool may_be_tiled(const struct csg_request *request, const struct csg_structure *structure)
+/* A small structure is drawn in one piece only where its steps times pixels are fewer. */
+static double max_step_pixels(const struct csg_request *request,
+                              const struct csg_structure *structure)
 {
-    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
+    if (request->resolver >= 0 || request->textbook)
+        return INFINITY;
+    if (structure->num > MANY_STEPS)
+        return MAX_STEP_PIXELS;
+    return structure->num >= FEW_STEPS && csg_structure_is_flat(structure) &&
+                   !request->scene->keeps_structure
+               ? MAX_FEW_STEP_PIXELS
+               : INFINITY;
 }
 
 bool csg_draws_whole(size_t object, double area, const void *user)
@@ -64,7 +78,7 @@ bool csg_draws_whole(size_t object, double area, const void *user)
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
     return csg_structure_is_small(&structure) &&
-           (!may_be_tiled(request, &structure) || (double)structure.num * area <= MAX_STEP_PIXELS);
+           (double)structure.num * area <= max_step_pixels(request, &structure);
 }
 
 static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
@@ -256,7 +270,7 @@ static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *
         return -1;
     const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
                                      (size_t)draw->instance.records[1]);
-    const size_t size = chain < 0 ? 0 : csg_chain_size(&csg_chains[chain]);
+    const size_t size = chain < 0 ? 0 : csg_chain_size(chain, chooser->direct);
     if (chain >= 0 && chooser->common_chain >= 0)
         return chooser->common_chain;
     return size <= chooser->max_handed ? chain : -1;
@@ -277,7 +291,7 @@ static int find_common_chain(const struct csg_chooser *chooser)
     }
     for (int i = 0; i < CSG_NUM_CHAINS && all.slots > 0; i++)
         if (all.slots <= csg_chains[i].slots && all.quadrics == csg_chains[i].quadrics)
-            return csg_chain_size(&csg_chains[i]) <= chooser->max_handed ? i : -1;
+            return csg_chain_size(i, chooser->direct) <= chooser->max_handed ? i : -1;
     return -1;
 }
 
@@ -288,8 +302,8 @@ static GLuint compile_chain(struct csg_chooser *chooser, int chain)
     const GLuint noted = csg_programs_noted(programs, name);
     if (noted)
         return noted;
-    const GLuint program = csg_programs_get(
-        programs, csg_source_geometry_chain(&csg_chains[chain], frame_features(chooser)));
+    const GLuint program =
+        csg_programs_get(programs, csg_source_geometry_chain(chain, frame_features(chooser)));
     csg_programs_note(programs, program, name);
     return program;
 }
@@ -344,7 +358,7 @@ static bool prepare_whole(struct csg_chooser *chooser, const struct csg_draw *dr
     chooser->prepared_whole = draw->object + 1;
     const struct csg_structure structure = structure_of(request, draw->object);
     if (request->shared || request->scene->objects->data[draw->object].crowded ||
-        !may_be_tiled(request, &structure) || !csg_structure_is_small(&structure))
+        max_step_pixels(request, &structure) == INFINITY || !csg_structure_is_small(&structure))
         return true;
     const bool known = find_straight(chooser, &structure, draw->stiff);
     return prepare_tiles(chooser) &&
@@ -356,8 +370,8 @@ static bool prepare_whole(struct csg_chooser *chooser, const struct csg_draw *dr
 static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
-    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) ||
-        !prepare_cells(chooser, draw) || !prepare_whole(chooser, draw))
+    if (((draw->tile || draw->walk) && !prepare_tiles(chooser)) || !prepare_cells(chooser, draw) ||
+        !prepare_whole(chooser, draw))
         return 0;
     if (is_for_cpu(chooser, draw))
         return choose_cpu(chooser, resolver);

@@ -7,8 +7,10 @@
 #include <math.h>
 
 const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
-    {.slots = 2, .handed = 2, .quadrics = false}, {.slots = 5, .handed = 5, .quadrics = false},
-    {.slots = 2, .handed = 2, .quadrics = true},  {.slots = 3, .handed = 3, .quadrics = true},
+    {.slots = 2, .handed = 2, .colors = true},
+    {.slots = 5, .handed = 5, .colors = true},
+    {.slots = 2, .handed = 2, .quadrics = true, .colors = true, .normals = true},
+    {.slots = 3, .handed = 3, .quadrics = true, .colors = true},
     {.slots = 5, .handed = 4, .quadrics = true},
 };
 
@@ -20,28 +22,57 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
 #define NOT_IN_CHAINS                                                                              \
     (CSG_RECORD_POP | CSG_RECORD_PUSH | CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
 
-/* A slot's numbers, variable and component: its planes e f x y, its head h, its quadric q r s. The
- * code of the quadric, q.w, is part of h.x. */
-static const char numbers[][3] = {"ex", "ey", "ez", "fx", "fy", "fz", "xx", "xy", "xz",
-                                  "yx", "yy", "yz", "hx", "hy", "hz", "qx", "qy", "qz",
-                                  "rx", "ry", "rz", "rw", "sx", "sy", "sz", "sw"};
+/* A slot's numbers, variable and component: its planes e f x y, its head h, its quadric q r s, of
+ * which the code q.w is part of h.x, and for colours its colour t and the terms u v w of its
+ * quadric's normal. */
+static const char numbers[][3] = {"ex", "ey", "ez", "fx", "fy", "fz", "xx", "xy", "xz", "yx",
+                                  "yy", "yz", "hx", "hy", "hz", "qx", "qy", "qz", "rx", "ry",
+                                  "rz", "rw", "sx", "sy", "sz", "sw", "tx", "ty", "tz", "ux",
+                                  "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"};
 #define NUM_OF_PLANES 15
 #define NUM_OF_QUADRICS 26
+#define NUM_OF_COLORS 29
 
-static int slot_size(const struct csg_chain *chain)
+static bool is_handed(const struct csg_chain *chain, size_t number)
 {
-    return chain->quadrics ? NUM_OF_QUADRICS : NUM_OF_PLANES;
+    return number < NUM_OF_PLANES     ? true
+           : number < NUM_OF_QUADRICS ? chain->quadrics
+           : number < NUM_OF_COLORS   ? chain->colors
+                                      : chain->normals;
+}
+
+/* The numbers that are handed over of each slot. */
+struct slot {
+    size_t numbers[sizeof numbers / sizeof *numbers], size;
+};
+
+static struct slot find_slot(const struct csg_chain *chain)
+{
+    struct slot slot = {.size = 0};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (is_handed(chain, i))
+            slot.numbers[slot.size++] = i;
+    return slot;
 }
 
 size_t csg_chain_handed(const struct csg_chain *chain)
 {
-    return (size_t)(slot_size(chain) * chain->handed + 3) / 4;
+    return (find_slot(chain).size * (size_t)chain->handed + 3) / 4;
 }
 
-size_t csg_chain_size(const struct csg_chain *chain)
+struct csg_chain csg_chain_of(int i, bool direct)
 {
-    const bool rest = chain->slots > chain->handed; /* where the others begin */
-    return csg_chain_handed(chain) + rest;
+    struct csg_chain chain = csg_chains[i];
+    chain.colors &= direct;
+    chain.normals &= direct;
+    return chain;
+}
+
+size_t csg_chain_size(int i, bool direct)
+{
+    const struct csg_chain chain = csg_chain_of(i, direct);
+    const bool rest = chain.slots > chain.handed; /* where the others begin */
+    return csg_chain_handed(&chain) + rest;
 }
 
 /* csg_choose's order: solids before complements, then the order of the file. */
@@ -90,6 +121,10 @@ static void add_slot(struct csg_text *text, const struct csg_chain *chain, int i
     csg_text_add(text, "    vec4 e%d, f%d, x%d, y%d;\n    vec3 h%d;\n", i, i, i, i, i);
     if (chain->quadrics)
         csg_text_add(text, "    vec4 q%d, r%d, s%d;\n", i, i, i);
+    if (chain->colors)
+        csg_text_add(text, "    vec3 t%d;\n", i);
+    if (chain->normals)
+        csg_text_add(text, "    vec3 u%d, v%d, w%d;\n", i, i, i);
 }
 
 /* ... read from where p is. */
@@ -102,24 +137,28 @@ static void add_reading(struct csg_text *text, const struct csg_chain *chain, in
     if (chain->quadrics)
         csg_text_add(text, "    csg_read_slot_quadric(p, b%d, h%d, q%d, r%d, s%d);\n", i, i, i, i,
                      i);
+    if (chain->colors)
+        csg_text_add(text, "    t%d = csg_slot_color(h%d);\n", i, i);
+    if (chain->normals)
+        csg_text_add(text, "    csg_read_slot_normal(h%d, u%d, v%d, w%d);\n", i, i, i, i);
 }
 
 /* Number j of all that are handed over: a variable's component. */
-static void add_number(struct csg_text *text, const struct csg_chain *chain, int j)
+static void add_number(struct csg_text *text, const struct csg_chain *chain, size_t j)
 {
-    const int slot = j / slot_size(chain);
-    const char *name = numbers[j % slot_size(chain)];
-    if (slot < chain->handed)
-        csg_text_add(text, "%c%d.%c", name[0], slot, name[1]);
+    const struct slot slot = find_slot(chain);
+    const char *name = numbers[slot.numbers[j % slot.size]];
+    if (j / slot.size < (size_t)chain->handed)
+        csg_text_add(text, "%c%zu.%c", name[0], j / slot.size, name[1]);
     else
         csg_text_add(text, "0.0");
 }
 
 static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
 {
-    const int num = (int)csg_chain_handed(chain);
+    const size_t num = csg_chain_handed(chain);
     csg_text_add(text,
-                 "#define CSG_NUM_HANDED %d\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n"
+                 "#define CSG_NUM_HANDED %zu\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n"
                  "#define CSG_HAS_REST\nflat out int csg_rest;\n\n"
                  "void csg_hand_over(int begin, int end)\n{\n"
                  /* No vertex is below 0. The driver need not know that the first solid's place in
@@ -129,9 +168,9 @@ static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
                  num);
     for (int i = 0; i < chain->handed; i++)
         add_reading(text, chain, i);
-    for (int i = 0; i < num; i++) {
-        csg_text_add(text, "    csg_handed[%d] = vec4(", i);
-        for (int j = 0; j < 4; j++) {
+    for (size_t i = 0; i < num; i++) {
+        csg_text_add(text, "    csg_handed[%zu] = vec4(", i);
+        for (size_t j = 0; j < 4; j++) {
             csg_text_add(text, j ? ", " : "");
             add_number(text, chain, 4 * i + j);
         }
@@ -143,13 +182,13 @@ static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
 /* What the vertex stage has handed over, and what it has not. */
 static void add_slots(struct csg_text *text, const struct csg_chain *chain)
 {
+    const size_t size = find_slot(chain).size;
     for (int i = 0; i < chain->handed; i++) {
         add_slot(text, chain, i);
-        for (int j = 0; j < slot_size(chain); j++) {
-            const int at = slot_size(chain) * i + j;
+        for (size_t at = size * (size_t)i; at < size * ((size_t)i + 1); at++) {
             csg_text_add(text, "    ");
             add_number(text, chain, at);
-            csg_text_add(text, " = csg_handed[%d].%c;\n", at / 4, "xyzw"[at % 4]);
+            csg_text_add(text, " = csg_handed[%zu].%c;\n", at / 4, "xyzw"[at % 4]);
         }
         if (chain->quadrics)
             csg_text_add(text, "    q%d.w = h%d.x;\n", i, i);
@@ -185,8 +224,30 @@ static void add_search(struct csg_text *text, const struct csg_chain *chain)
     csg_text_add_passing(text, "o%zu", slots, (size_t)chain->slots - 1);
 }
 
+/* The face, of the literal that has begun to hold; of several, of the first. */
+static void add_face(struct csg_text *text, const struct csg_chain *chain)
+{
+    for (int i = chain->slots; i-- > 0;) {
+        csg_text_add(text,
+                     "    bool m%d = csg_chain_changes(c%d, l%d, k);\n"
+                     "    place = m%d ? csg_chain_place(c%d, h%d, l%d) : place;\n",
+                     i, i, i, i, i, i, i);
+        if (chain->colors)
+            csg_text_add(text, "    csg_tint = m%d ? t%d : csg_tint;\n", i, i);
+        for (int j = 0; j < 3 && chain->normals; j++)
+            csg_text_add(text, "    csg_bend_%c = m%d ? %c%d : csg_bend_%c;\n", "uvw"[j], i,
+                         "uvw"[j], i, "uvw"[j]);
+    }
+    csg_text_add(text, "    return true;\n}\n");
+}
+
 static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
 {
+    if (chain->colors)
+        csg_text_add(text, "#define CSG_KNOWS_COLORS\nvec3 csg_tint = vec3(0.0);\n");
+    if (chain->normals)
+        csg_text_add(text, "#define CSG_KNOWS_BENDS\nvec3 csg_bend_u = vec3(0.0), "
+                           "csg_bend_v = vec3(0.0), csg_bend_w = vec3(0.0);\n");
     csg_text_add(text,
                  "#define CSG_KNOWS_NORMALS\n"
                  "#define CSG_NUM_HANDED %zu\nflat in vec4 csg_handed[CSG_NUM_HANDED];\n"
@@ -197,9 +258,7 @@ static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
     add_slots(text, chain);
     add_spans(text, chain);
     add_search(text, chain);
-    for (int i = chain->slots; i-- > 0;)
-        csg_text_add(text, "    place = csg_chain_place(c%d, h%d, l%d, k, place);\n", i, i, i);
-    csg_text_add(text, "    return true;\n}\n");
+    add_face(text, chain);
 }
 
 void csg_source_chain(struct csg_text *vertex, struct csg_text *fragment,

@@ -144,6 +144,15 @@ bool csg_structure_is_small(const struct csg_structure *structure)
     return true;
 }
 
+bool csg_structure_is_flat(const struct csg_structure *structure)
+{
+    for (size_t i = 0; i < structure->num; i++)
+        if (structure->steps[i].flags & (CSG_RECORD_GAP | CSG_RECORD_POP) ||
+            !(structure->steps[i].flags & (CSG_RECORD_START | CSG_RECORD_AND)))
+            return false;
+    return true;
+}
+
 static void add_preamble(struct csg_text *text, int features)
 {
     csg_text_add(text, "#version 330 core\n");
@@ -302,17 +311,18 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     return finish_geometry(&vertex, &fragment, features);
 }
 
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int features)
+struct csg_stages csg_source_geometry_chain(int i, int features)
 {
+    const struct csg_chain chain = csg_chain_of(i, features & CSG_FEATURE_DIRECT);
     struct csg_text vertex = {0}, fragment = {0};
-    features |= chain->quadrics ? CSG_FEATURE_QUADRIC : 0;
+    features |= chain.quadrics ? CSG_FEATURE_QUADRIC : 0;
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, features);
     add_file(&vertex, "csg/slots.glsl");
-    if (chain->slots > chain->handed)
+    if (chain.slots > chain.handed)
         add_file(&fragment, "csg/slots.glsl");
     add_file(&fragment, "csg/chain.glsl");
-    add_spare(&vertex, &fragment, features, csg_chain_handed(chain));
-    csg_source_chain(&vertex, &fragment, chain);
+    add_spare(&vertex, &fragment, features, csg_chain_handed(&chain));
+    csg_source_chain(&vertex, &fragment, &chain);
     return finish_geometry(&vertex, &fragment, features);
 }
 

@@ -60,13 +60,18 @@ struct csg_chain {
     int slots;     /* solids at most */
     int handed;    /* ... that the vertex stage reads; fragments read the others */
     bool quadrics; /* whether they may have one */
+    bool colors, normals; /* there is room for the solids' colours, and the terms of their quadrics'
+                           * normals */
 };
 
 #define CSG_NUM_CHAINS 5
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
+/* Chain i as programs have it: those that write no colours ask for none. */
+struct csg_chain csg_chain_of(int i, bool direct);
+
 /* Flat inputs that its programs take, and those of them in csg_handed. */
-size_t csg_chain_size(const struct csg_chain *chain);
+size_t csg_chain_size(int i, bool direct);
 size_t csg_chain_handed(const struct csg_chain *chain);
 
 /* Shared programs have one of these numbers of inputs for an object's texels; MANY is what
@@ -96,6 +101,9 @@ int csg_structure_features(const struct csg_structure *structure);
 size_t csg_structure_crossings(const struct csg_structure *structure);
 bool csg_structure_is_small(const struct csg_structure *structure);
 
+/* Solids and complements, all convex, that must all be true. */
+bool csg_structure_is_flat(const struct csg_structure *structure);
+
 /* The stages of a geometry program. Equal structures give equal texts: together they are the key
  * under which programs are cached. NULL where memory ran out. */
 struct csg_stages {
@@ -112,8 +120,8 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
 /* One-solid programs for crowds, see crowd/run.h; direct: as CSG_FEATURE_DIRECT. */
 struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct);
 
-/* The same for a chain; features: DIRECT and SHARED. */
-struct csg_stages csg_source_geometry_chain(const struct csg_chain *chain, int features);
+/* The same for chain i; features: DIRECT and SHARED. */
+struct csg_stages csg_source_geometry_chain(int i, int features);
 
 /* The shading pass; features: TEXTBOOK and SHARED. */
 struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features);

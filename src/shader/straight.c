@@ -258,16 +258,6 @@ static void add_loop(struct csg_text *text, const struct csg_structure *structur
     csg_text_end_search(text);
 }
 
-/* Solids and complements that must all be true. */
-static bool is_flat(const struct csg_structure *structure, const struct leaf_code *leaves)
-{
-    for (size_t i = 0; i < structure->num; i++)
-        if (leaves[i].gap || is_pop(structure, i) ||
-            !(structure->steps[i].flags & (CSG_RECORD_START | CSG_RECORD_AND)))
-            return false;
-    return true;
-}
-
 static void add_flat_search(struct csg_text *text, const struct csg_structure *structure)
 {
     size_t holes[CSG_STRAIGHT_MAX_STEPS], num = 0;
@@ -286,7 +276,7 @@ static void add_flat_search(struct csg_text *text, const struct csg_structure *s
 static void add_search(struct csg_text *text, const struct csg_structure *structure,
                        const struct leaf_code *leaves)
 {
-    if (is_flat(structure, leaves))
+    if (csg_structure_is_flat(structure))
         add_flat_search(text, structure);
     else
         add_loop(text, structure, leaves);
@@ -334,7 +324,7 @@ static void add_flat_change(struct csg_text *text, const struct csg_structure *s
 static void add_change(struct csg_text *text, const struct csg_structure *structure,
                        const struct leaf_code *leaves)
 {
-    if (is_flat(structure, leaves)) {
+    if (csg_structure_is_flat(structure)) {
         add_flat_change(text, structure, leaves);
         return;
     }

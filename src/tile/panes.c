@@ -141,7 +141,7 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
 static struct csg_tile_area sample_area(const struct csg_rect *rect, size_t x, size_t y)
 {
     const size_t at[2] = {x, y};
-    struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS};
+    struct csg_tile_area area = {.max_texels = CSG_MAX_TILED_TEXELS, .fine = true};
     for (int i = 0; i < 2; i++) {
         const double size = rect->hi[i] - rect->lo[i];
         const int lo = (int)floor(rect->lo[i] + ((double)at[i] + 0.5) / SAMPLES * size);

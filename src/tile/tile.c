@@ -10,6 +10,10 @@
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
 
+/* Nor is one of twice the smallest size whose tree a chain has room for (CSG_RESOLVER_CHAIN): to
+ * make four of it costs more than they spare. */
+#define CHAIN_LEAVES 5
+
 /* Tiles with surfaces of triangles have lists of their own in smaller cells, but nothing is drawn
  * where a tile is empty. In pixels. */
 #define SURFACE_TILE_SIZE 64
@@ -180,7 +184,8 @@ static bool emit(struct csg_tiler *tiler, const struct csg_tile_task *task)
 static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                              size_t num_leaves)
 {
-    const int tile = tile_size(tiler);
+    const int few = !tiler->fine && task->flat && num_leaves <= CHAIN_LEAVES ? 2 : 1;
+    const int tile = few * tile_size(tiler);
     const bool smallest = task->hi[0] - task->lo[0] <= tile && task->hi[1] - task->lo[1] <= tile;
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
@@ -235,12 +240,12 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
                    const struct csg_tile_area *area, const struct csg_draw *draw)
 {
     struct csg_tiler tiler = {.terms = terms,
-                          .draw = draw,
-                          .max_texels = area->max_texels + terms->frame->texels.num / 4};
+                              .draw = draw,
+                              .fine = area->fine,
+                              .max_texels = area->max_texels + terms->frame->texels.num / 4};
     struct csg_tile_task whole = {.lo = {area->lo[0], area->lo[1]},
                                   .hi = {area->hi[0], area->hi[1]}};
-    bool ok = object_tree(&tiler, object, &whole.tree) &&
-              csg_band_list_fill(&whole.bands, terms);
+    bool ok = object_tree(&tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
     whole.flat = ok && csg_tiler_is_flat(&whole.tree);
     ok = ok && csg_array_push(&tiler.tasks, whole);
     if (!ok) {

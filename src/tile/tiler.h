@@ -33,6 +33,7 @@ struct csg_tiler {
     CSG_ARRAY(double) keys; /* by node, for csg_front_find */
     struct csg_scan scan;
     size_t max_texels; /* of the frame, from which on tiles are not cut further */
+    bool fine;         /* of the area */
     bool opaque;       /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
