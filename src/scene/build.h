@@ -105,8 +105,8 @@ bool csg_build_leaves(struct csg_builder *builder);
 /* The leaves of the nodes from begin on, wherever that is in the tree, up to end. */
 bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t end);
 
-/* Adds base to the numbers of the leaves that csg_build_leaves_in has made of the same nodes. */
-void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t base);
+/* Takes gap from the numbers of the leaves that csg_build_leaves_in has made of the same nodes. */
+void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t gap);
 
 /*
  * The node cannot be done natively, for that reason ("text: ..."): it is handed to openscad, or

@@ -328,7 +328,7 @@ bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t e
     return done;
 }
 
-void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t base)
+void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t end, uint32_t gap)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
     for (uint32_t i = builder->begin; i < end;) {
@@ -339,7 +339,7 @@ void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t en
         }
         if (i >= begin && !is_off(builder, i) && meaning->role == CSG_ROLE_SOLID &&
             meaning->leaf != CSG_NO_LEAF)
-            meaning->leaf += base;
+            meaning->leaf -= gap;
         i = next_node(builder, i);
     }
 }

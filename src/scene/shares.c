@@ -18,8 +18,9 @@ enum { MIN_NODES = 20000, NUM_SHARES = 16 };
 struct share {
     struct csg_builder builder; /* with a report and a scene of its own */
     struct csg_report report;
-    struct csgcast_scene scene;
+    struct csgcast_scene scene; /* its leaves are those of all shares, of which it fills some */
     uint32_t begin, end; /* nodes */
+    size_t first_leaf;
     bool ok;
 };
 
@@ -31,7 +32,18 @@ static void read_share(void *user, size_t task)
         share->ok &= share->report.num[level] == 0;
 }
 
-static void start_share(struct share *share, const struct csg_builder *builder, uint32_t i)
+/* As many leaves as there can be. */
+static size_t count_solids(const struct csg_builder *builder, uint32_t begin, uint32_t end)
+{
+    size_t num = 0;
+    for (uint32_t i = begin; i < end; i++)
+        num += builder->meanings[i].role == CSG_ROLE_SOLID;
+    return num;
+}
+
+/* Its leaves begin behind those of the shares before it. Returns where the next one's do. */
+static size_t start_share(struct share *share, const struct csg_builder *builder, uint32_t i,
+                          size_t first_leaf)
 {
     const uint64_t num = builder->end - builder->begin;
     share->builder = *builder;
@@ -39,66 +51,71 @@ static void start_share(struct share *share, const struct csg_builder *builder, 
     share->builder.scene = &share->scene;
     share->begin = builder->begin + (uint32_t)(num * i / NUM_SHARES);
     share->end = builder->begin + (uint32_t)(num * (i + 1) / NUM_SHARES);
+    share->first_leaf = first_leaf;
+    share->scene.leaves = builder->scene->leaves;
+    share->scene.num_leaves = first_leaf;
+    share->scene.leaves_capacity = first_leaf + count_solids(builder, share->begin, share->end);
     csg_report_init(&share->report, &csg_log_silent, builder->report->file);
+    return share->scene.leaves_capacity;
 }
 
-static void finish_share(struct share *share)
+/* Where there were empty solids, leaves move on to those of the share before. */
+static void append_share(struct csgcast_scene *scene, struct share *share)
 {
-    for (size_t i = 0; i < share->scene.num_leaves; i++)
+    const size_t num = share->scene.num_leaves - share->first_leaf;
+    const uint32_t gap = (uint32_t)(share->first_leaf - scene->num_leaves);
+    if (gap) {
+        memmove(scene->leaves + scene->num_leaves, scene->leaves + share->first_leaf,
+                num * sizeof *scene->leaves);
+        csg_build_renumber(&share->builder, share->begin, share->end, gap);
+    }
+    scene->num_leaves += num;
+    scene->info.num_dropped += share->scene.info.num_dropped;
+}
+
+static void drop_leaves(struct share *share)
+{
+    for (size_t i = share->first_leaf; i < share->scene.num_leaves; i++)
         csg_shape_finish(&share->scene.leaves[i].shape);
-    free(share->scene.leaves);
-}
-
-/* The share's leaves come behind those that the scene has. */
-static bool append_share(struct csgcast_scene *scene, struct share *share)
-{
-    struct csgcast_scene *from = &share->scene;
-    const uint32_t base = (uint32_t)scene->num_leaves;
-    if (scene->leaves_capacity - scene->num_leaves < from->num_leaves &&
-        !csg_array_grow((void **)&scene->leaves, &scene->leaves_capacity, scene->num_leaves,
-                        from->num_leaves, sizeof *scene->leaves))
-        return false;
-    if (from->num_leaves)
-        memcpy(scene->leaves + base, from->leaves, from->num_leaves * sizeof *from->leaves);
-    scene->num_leaves += from->num_leaves;
-    scene->info.num_dropped += from->info.num_dropped;
-    from->num_leaves = 0; /* the scene has them now */
-    csg_build_renumber(&share->builder, share->begin, share->end, base);
-    return true;
 }
 
 static bool is_for_shares(const struct csg_builder *builder)
 {
-    bool is_simple = !builder->origins && builder->end - builder->begin >= MIN_NODES;
+    bool is_simple = !builder->origins && builder->scene->num_leaves == 0 &&
+                     builder->end - builder->begin >= MIN_NODES;
     for (uint32_t i = builder->begin; i < builder->end && is_simple; i++)
         is_simple = !csg_is_compound(&builder->meanings[i]);
     return is_simple;
 }
 
-/* false: there was something to say, and nothing has happened yet. */
+/* false: there was something to say, or memory is out, and nothing has happened yet. */
 static bool read_shares(struct csg_builder *builder, struct share *shares)
 {
+    struct csgcast_scene *scene = builder->scene;
     bool ok = true;
+    size_t next = 0;
+    const size_t room = count_solids(builder, builder->begin, builder->end);
+    scene->leaves = malloc((room + 1) * sizeof *scene->leaves);
+    if (!scene->leaves)
+        return false;
+    scene->leaves_capacity = room + 1;
     for (uint32_t i = 0; i < NUM_SHARES; i++)
-        start_share(&shares[i], builder, i);
+        next = start_share(&shares[i], builder, i, next);
     csg_parallel(builder->num_threads, NUM_SHARES, read_share, shares);
     for (size_t i = 0; i < NUM_SHARES; i++)
         ok &= shares[i].ok;
+    for (size_t i = 0; i < NUM_SHARES; i++)
+        if (ok)
+            append_share(scene, &shares[i]);
+        else
+            drop_leaves(&shares[i]);
     return ok;
 }
 
 bool csg_build_leaves(struct csg_builder *builder)
 {
-    struct share *shares =
-        is_for_shares(builder) ? calloc(NUM_SHARES, sizeof *shares) : NULL;
+    struct share *shares = is_for_shares(builder) ? calloc(NUM_SHARES, sizeof *shares) : NULL;
     const bool is_read = shares && read_shares(builder, shares);
-    bool ok = true;
-    for (size_t i = 0; i < NUM_SHARES && shares; i++) {
-        ok = ok && (!is_read || append_share(builder->scene, &shares[i]));
-        finish_share(&shares[i]);
-    }
     free(shares);
-    if (!ok)
-        return csg_log_memory(&builder->report->log);
     return is_read || csg_build_leaves_in(builder, builder->begin, builder->end);
 }
