@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "csg/carrier.h"
 
-#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -278,60 +277,6 @@ static bool assign_leaf(struct csg_carrier_builder *builder, const struct csg_ra
                           is_loner(builder, builder->loners.quadrics, leaf));
 }
 
-/* Exponent and four bits of the mantissa: grows with the radius, which is not negative. */
-static uint32_t size_of(double radius)
-{
-    const float rounded = (float)fmin(radius, FLT_MAX);
-    uint32_t bits;
-    memcpy(&bits, &rounded, sizeof bits);
-    return bits >> 19;
-}
-
-struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,
-                                 uint32_t face)
-{
-    const double radius = builder->scene->leaves[leaf].shape.surface
-                              ? 0
-                              : csg_leaf_extent_of(builder, leaf).radius;
-    return (struct csg_rank){size_of(radius), leaf, face};
-}
-
-static int compare_ranked(const void *a, const void *b)
-{
-    return csg_rank_compare(a, b);
-}
-
-static bool rank_object(struct csg_carrier_builder *builder, const struct csg_object *object)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    const struct csg_tree *tree = &scene->trees[object->layer];
-    bool ok = true;
-    for (uint32_t i = object->begin; i < object->end && ok; i++) {
-        const uint32_t leaf = tree->data[i].leaf;
-        if (tree->data[i].op != CSG_LEAF || tree->data[i].spare || builder->wanted[leaf])
-            continue;
-        builder->wanted[leaf] = true;
-        ok = csg_array_push(&builder->leaves, csg_carrier_rank(builder, leaf, 0));
-    }
-    return ok;
-}
-
-/* The objects' leaves, the largest first: its faces are the least turned by rounding, so they
- * become the carriers. A surface's faces are small and come last. A leaf can be in two layers; its
- * first object counts. */
-static bool rank_leaves(struct csg_carrier_builder *builder)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    builder->wanted = calloc(scene->num_leaves + 1, sizeof *builder->wanted);
-    bool ok = builder->wanted && csg_array_reserve(&builder->leaves, scene->num_leaves);
-    for (size_t i = 0; i < scene->objects->num && ok; i++)
-        ok = rank_object(builder, &scene->objects->data[i]);
-    if (ok && builder->leaves.num)
-        qsort(builder->leaves.data, builder->leaves.num, sizeof *builder->leaves.data,
-              compare_ranked);
-    return ok;
-}
-
 /* The finite part of the scene: where the faces are hashed. */
 static struct csg_box finite_box(const struct csg_carrier_builder *builder)
 {
@@ -454,7 +399,7 @@ static bool can_keep(const struct csg_carrier_builder *builder)
  * so that the depth buffer sees equal depths and the first object wins everywhere. */
 static bool assign_all(struct csg_carrier_builder *builder)
 {
-    if (!rank_leaves(builder))
+    if (!csg_carrier_rank_leaves(builder))
         return false;
     builder->keeps = builder->keeps && can_keep(builder);
     builder->is_alone = builder->leaves.num == 1 &&

@@ -5,14 +5,19 @@
 #include <stdlib.h>
 
 #include "common/parallel.h"
+#include "common/prefetch.h"
 #include "csg/carrier_builder.h"
 #include "csg/own_faces.h"
 
 /* Scenes of fewer faces are through before threads have started. */
 enum { MIN_FACES = 20000, NUM_TASKS = 32 };
 
-/* Two bits for each of so many places a face: a key's place is another one's by chance, too. */
-enum { PLACES_A_FACE = 16, PLACES_A_WORD = 16 };
+/* Two bits for each of so many places a face: a key's place is another one's by chance, too. Fewer
+ * where that would take more memory than what they spare. */
+enum { PLACES_A_FACE = 64, PLACES_A_WORD = 16, MAX_PLACES = 1 << 27 };
+
+/* Faces whose places are on their way from memory at a time. */
+enum { BATCH = 16 };
 
 /* Planes a cell, were all of them parallel and spread evenly: beyond it hardly any is alone. */
 #define MAX_DENSITY 3.0
@@ -60,17 +65,6 @@ static bool plane_at(const struct planes *planes, uint32_t i, struct csg_plane *
     return true;
 }
 
-typedef void visit_fn(struct search *search, uint32_t leaf, size_t task);
-
-/* The leaves of one task. */
-static void visit_leaves(struct search *search, size_t task, visit_fn *visit)
-{
-    const size_t num = search->scene->num_leaves;
-    for (size_t i = num * task / NUM_TASKS; i < num * (task + 1) / NUM_TASKS; i++)
-        if (search->builder->wanted[i])
-            visit(search, (uint32_t)i, task);
-}
-
 /* ---- directions --------------------------------------------------------------------------- */
 
 static void note_leaf(struct search *search, uint32_t leaf, size_t task)
@@ -84,16 +78,25 @@ static void note_leaf(struct search *search, uint32_t leaf, size_t task)
 
 static void note_task(void *user, size_t task)
 {
-    visit_leaves(user, task, note_leaf);
+    struct search *search = user;
+    const size_t num = search->scene->num_leaves;
+    for (size_t i = num * task / NUM_TASKS; i < num * (task + 1) / NUM_TASKS; i++)
+        if (search->builder->wanted[i])
+            note_leaf(search, (uint32_t)i, task);
 }
 
 /* ---- keys --------------------------------------------------------------------------------- */
 
+static uint64_t place_of(const struct search *search, uint64_t key)
+{
+    return key >> 8 & search->mask;
+}
+
 /* A face whose own keys meet by chance is none: that only costs time. */
-static void enter(struct search *search, const uint64_t *keys, int num)
+static void enter(const struct search *search, const uint64_t *keys, int num)
 {
     for (int i = 0; i < num; i++) {
-        const uint64_t place = keys[i] >> 8 & search->mask;
+        const uint64_t place = place_of(search, keys[i]);
         const unsigned first = 1u << 2 * (place % PLACES_A_WORD);
         atomic_uint *word = &search->words[place / PLACES_A_WORD];
         if (atomic_fetch_or_explicit(word, first, memory_order_relaxed) & first)
@@ -104,13 +107,49 @@ static void enter(struct search *search, const uint64_t *keys, int num)
 static bool is_alone(const struct search *search, const uint64_t *keys, int num)
 {
     for (int i = 0; i < num; i++) {
-        const uint64_t place = keys[i] >> 8 & search->mask;
+        const uint64_t place = place_of(search, keys[i]);
         const unsigned second = 2u << 2 * (place % PLACES_A_WORD);
         if (atomic_load_explicit(&search->words[place / PLACES_A_WORD], memory_order_relaxed) &
             second)
             return false;
     }
     return num > 0;
+}
+
+/* Faces of a task that wait. */
+struct batch {
+    const struct search *search;
+    size_t num;
+    struct {
+        uint8_t *alone; /* gets whether it is; NULL: its keys are entered */
+        int num;
+        uint64_t keys[8];
+    } faces[BATCH];
+};
+
+static void flush(struct batch *batch)
+{
+    for (size_t i = 0; i < batch->num; i++) {
+        const uint64_t *keys = batch->faces[i].keys;
+        if (batch->faces[i].alone)
+            *batch->faces[i].alone = is_alone(batch->search, keys, batch->faces[i].num);
+        else
+            enter(batch->search, keys, batch->faces[i].num);
+    }
+    batch->num = 0;
+}
+
+/* The keys are in the batch already. */
+static void add_face(struct batch *batch, int num, uint8_t *alone)
+{
+    batch->faces[batch->num].num = num;
+    batch->faces[batch->num].alone = alone;
+    for (int i = 0; i < num; i++)
+        csg_prefetch(
+            &batch->search
+                 ->words[place_of(batch->search, batch->faces[batch->num].keys[i]) / PLACES_A_WORD]);
+    if (++batch->num == BATCH)
+        flush(batch);
 }
 
 /* None for a plane that is looked for under other normals, too: it is no loner. */
@@ -121,46 +160,43 @@ static int plane_keys(const struct search *search, const struct csg_plane *plane
     return csg_index_plane_keys(&search->builder->index, plane, keys);
 }
 
-static void enter_leaf(struct search *search, uint32_t leaf, size_t task)
+/* Enters a leaf's keys, or with judged asks whether its faces are alone. */
+static void add_leaf(struct batch *batch, uint32_t leaf, bool judged)
 {
-    const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
-    const struct planes planes = planes_of(search, leaf);
-    struct csg_plane plane;
-    uint64_t keys[8];
-    (void)task;
-    for (uint32_t i = 0; i < planes.num; i++)
-        if (plane_at(&planes, i, &plane))
-            enter(search, keys, plane_keys(search, &plane, keys));
-    if (shape->has_quadric)
-        enter(search, keys,
-              csg_index_quadric_keys(&search->builder->index, &shape->quadric, keys));
-}
-
-static void enter_task(void *user, size_t task)
-{
-    visit_leaves(user, task, enter_leaf);
-}
-
-static void judge_leaf(struct search *search, uint32_t leaf, size_t task)
-{
+    const struct search *search = batch->search;
     const struct csg_shape *shape = &search->scene->leaves[leaf].shape;
     const struct planes planes = planes_of(search, leaf);
     uint8_t *faces = search->loners->planes + search->builder->carriers->face_begin[leaf];
     struct csg_plane plane;
-    uint64_t keys[8];
-    (void)task;
     for (uint32_t i = 0; i < planes.num; i++)
-        faces[i] = plane_at(&planes, i, &plane) &&
-                   is_alone(search, keys, plane_keys(search, &plane, keys));
+        if (plane_at(&planes, i, &plane))
+            add_face(batch, plane_keys(search, &plane, batch->faces[batch->num].keys),
+                     judged ? &faces[i] : NULL);
     if (shape->has_quadric)
-        search->loners->quadrics[leaf] =
-            is_alone(search, keys,
-                     csg_index_quadric_keys(&search->builder->index, &shape->quadric, keys));
+        add_face(batch,
+                 csg_index_quadric_keys(&search->builder->index, &shape->quadric,
+                                        batch->faces[batch->num].keys),
+                 judged ? &search->loners->quadrics[leaf] : NULL);
+}
+
+static void add_leaves(struct search *search, size_t task, bool judged)
+{
+    const size_t num = search->scene->num_leaves;
+    struct batch batch = {.search = search};
+    for (size_t i = num * task / NUM_TASKS; i < num * (task + 1) / NUM_TASKS; i++)
+        if (search->builder->wanted[i])
+            add_leaf(&batch, (uint32_t)i, judged);
+    flush(&batch);
+}
+
+static void enter_task(void *user, size_t task)
+{
+    add_leaves(user, task, false);
 }
 
 static void judge_task(void *user, size_t task)
 {
-    visit_leaves(user, task, judge_leaf);
+    add_leaves(user, task, true);
 }
 
 /* ---- all ---------------------------------------------------------------------------------- */
@@ -190,7 +226,7 @@ bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder
     search.is_dense = (double)num_planes * index->fine > MAX_DENSITY * index->radius;
     if (num_faces < MIN_FACES)
         return true;
-    while (search.mask < PLACES_A_FACE * num_faces)
+    while (search.mask < PLACES_A_FACE * num_faces && search.mask < MAX_PLACES - 1)
         search.mask = 2 * search.mask + 1;
     loners->planes = calloc(num_planes + 1, 1);
     loners->quadrics = calloc(scene->num_leaves + 1, 1);

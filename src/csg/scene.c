@@ -6,6 +6,7 @@
 
 #include "cells/store.h"
 #include "common/clock.h"
+#include "common/parallel.h"
 #include "crowd/crowd.h"
 #include "csg/carrier_edit.h"
 #include "csg/distribute.h"
@@ -184,14 +185,24 @@ static bool build_surfaces(struct csgcast_scene *scene)
     return true;
 }
 
-/* Everything that follows asks for them, again and again. */
-static void fill_leaf_boxes(struct csgcast_scene *scene)
+/* Leaves that one core looks at, at a time. */
+enum { CHUNK = 4096 };
+
+static void fill_boxes_of_leaves(void *user, size_t chunk)
 {
-    for (size_t i = 0; i < scene->num_leaves; i++) {
+    struct csgcast_scene *scene = user;
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++) {
         struct csg_leaf *leaf = &scene->leaves[i];
         leaf->box =
             leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
     }
+}
+
+/* Everything that follows asks for them, again and again. */
+static void fill_leaf_boxes(struct csgcast_scene *scene)
+{
+    csg_parallel(scene->num_threads, (scene->num_leaves + CHUNK - 1) / CHUNK, fill_boxes_of_leaves,
+                 scene);
 }
 
 static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
