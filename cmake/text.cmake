@@ -14,4 +14,5 @@ if(NOT text_libraries_FOUND)
 endif()
 
 csgcast_module(csgcast-text ${PROJECT_SOURCE_DIR}/src/text/text.c
+    ${PROJECT_SOURCE_DIR}/src/text/fonts.c
     LIBRARIES PkgConfig::text_libraries m)
