@@ -94,7 +94,7 @@ bool csg_figure_circle(struct csg_walk *walk, uint32_t node, const struct csg_ar
                        const struct csg_space *space, struct csg_drawing *drawing)
 {
     (void)walk, (void)node;
-    const struct csg_facets facets = csg_args_facets(args);
+    const struct csg_facets facets = csg_args_round_facets(args);
     const bool facetted = csg_facets_wanted(args, &facets);
     double rounding = 0;
     const double r = csg_args_radius(args, "r", "d", 1, &rounding);

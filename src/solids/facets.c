@@ -18,9 +18,14 @@
 
 struct csg_facets csg_args_facets(const struct csg_args *args)
 {
-    struct csg_facets facets = {.fn = csg_args_number(args, "$fn", 0, NULL),
-                                .fa = csg_args_number(args, "$fa", 12, NULL),
-                                .fs = csg_args_number(args, "$fs", 2, NULL)};
+    return (struct csg_facets){.fn = csg_args_number(args, "$fn", 0, NULL),
+                               .fa = csg_args_number(args, "$fa", 12, NULL),
+                               .fs = csg_args_number(args, "$fs", 2, NULL)};
+}
+
+struct csg_facets csg_args_round_facets(const struct csg_args *args)
+{
+    struct csg_facets facets = csg_args_facets(args);
     if (facets.fa < SMALLEST_STEP)
         facets.fa = SMALLEST_STEP;
     if (facets.fs < SMALLEST_STEP)

@@ -6,12 +6,15 @@
 
 #include "solids/value.h"
 
-/* $fn, $fa, $fs of a node with OpenSCAD's defaults (0, 12, 2) and clamps ($fa, $fs >= 0.01). */
+/* $fn, $fa, $fs of a node with OpenSCAD's defaults: 0, 12, 2. */
 struct csg_facets {
     double fn, fa, fs;
 };
 
 struct csg_facets csg_args_facets(const struct csg_args *args);
+
+/* The same for circle, sphere and cylinder, for which it takes $fa and $fs to be at least 0.01. */
+struct csg_facets csg_args_round_facets(const struct csg_args *args);
 
 /* Fragments of a circle: Calc::get_fragments_from_r of OpenSCAD 2021.01. At least 3. */
 int csg_facets_count(const struct csg_facets *facets, double radius);

@@ -84,7 +84,7 @@ static enum csg_read_result fill(const struct csg_args *args, struct csg_shape *
 
 static enum csg_read_result read(const struct csg_args *args, struct csg_shape *shape)
 {
-    const struct csg_facets facets = csg_args_facets(args);
+    const struct csg_facets facets = csg_args_round_facets(args);
     struct csg_ring rings[2];
     read_rings(args, rings, &shape->rounding);
     if (is_empty(rings))

@@ -40,7 +40,7 @@ static void fill_quadric(struct csg_shape *shape, double radius)
 
 static enum csg_read_result read(const struct csg_args *args, struct csg_shape *shape)
 {
-    const struct csg_facets facets = csg_args_facets(args);
+    const struct csg_facets facets = csg_args_round_facets(args);
     const double radius = csg_args_radius(args, "r", "d", 1, &shape->rounding);
     if (!(radius > 0) || !isfinite(radius) || !isfinite(1 / radius))
         return CSG_READ_EMPTY;
