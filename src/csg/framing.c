@@ -62,7 +62,7 @@ static int compare_wholes(const void *key, const void *item)
     return leaf < whole->begin ? -1 : leaf >= whole->end ? 1 : 0;
 }
 
-static const struct csg_whole *find_whole(const struct csgcast_scene *scene, uint32_t leaf)
+const struct csg_whole *csg_find_whole(const struct csgcast_scene *scene, uint32_t leaf)
 {
     if (scene->wholes.num == 0)
         return NULL;
@@ -76,16 +76,20 @@ static int compare_begins(const void *a, const void *b)
     return (one->begin > other->begin) - (one->begin < other->begin);
 }
 
-void csg_framing_start(struct csgcast_scene *scene)
+void csg_sort_wholes(struct csgcast_scene *scene)
 {
     if (scene->wholes.num > 1)
         qsort(scene->wholes.data, scene->wholes.num, sizeof *scene->wholes.data, compare_begins);
+}
+
+void csg_framing_start(struct csgcast_scene *scene)
+{
     scene->written = csg_box_empty;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
         const struct csg_tree *tree = &scene->trees[layer];
         for (size_t i = 0; i < tree->num; i++) {
             const struct csg_node *node = &tree->data[i];
-            if (node->op != CSG_LEAF || node->negated || find_whole(scene, node->leaf))
+            if (node->op != CSG_LEAF || node->negated || csg_find_whole(scene, node->leaf))
                 continue;
             const struct csg_box box = written_box(scene, node->leaf);
             if (csg_box_is_finite(&box))
@@ -116,7 +120,7 @@ static void narrow(struct piece *piece, uint32_t first, uint32_t last)
 
 static bool add_piece(struct framing *framing, const struct csg_tree *tree, uint32_t first)
 {
-    const struct csg_whole *whole = find_whole(framing->scene, tree->data[first].leaf);
+    const struct csg_whole *whole = csg_find_whole(framing->scene, tree->data[first].leaf);
     struct piece piece = {.tree = tree, .whole = whole, .box = csg_box_empty};
     uint32_t last = first;
     for (uint32_t i = first; i < tree->num; i++) {
@@ -143,7 +147,7 @@ static bool find_pieces(struct framing *framing, const struct csg_tree *tree)
         const struct csg_node *node = &tree->data[i];
         if (node->op != CSG_LEAF || node->spare)
             continue;
-        const struct csg_whole *whole = find_whole(framing->scene, node->leaf);
+        const struct csg_whole *whole = csg_find_whole(framing->scene, node->leaf);
         if (whole && whole != last)
             done = add_piece(framing, tree, i);
         last = whole;

@@ -10,6 +10,12 @@
 
 #include "csg/scene.h"
 
+/* Puts scene->wholes in order, which all below ask for. */
+void csg_sort_wholes(struct csgcast_scene *scene);
+
+/* The render() node that a leaf is in; NULL: none. */
+const struct csg_whole *csg_find_whole(const struct csgcast_scene *scene, uint32_t leaf);
+
 /* Fills scene->written but for what is in render() nodes, from the simplified trees. */
 void csg_framing_start(struct csgcast_scene *scene);
 

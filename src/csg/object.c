@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "csg/gather.h"
 #include "mesh/surface.h"
 
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
@@ -17,6 +18,21 @@ const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
         if (nodes[i].op == CSG_LEAF && !nodes[i].negated && !nodes[i].spare)
             return &scene->leaves[nodes[i].leaf];
     return NULL;
+}
+
+bool csg_object_is_one_node(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    uint32_t first = UINT32_MAX;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        if (first == UINT32_MAX)
+            first = nodes[i].leaf;
+        else if (!csg_is_same_node(scene, first, nodes[i].leaf))
+            return false;
+    }
+    return first != UINT32_MAX;
 }
 
 static struct csg_box node_box(const struct csg_tree *tree, const struct csg_box *boxes,

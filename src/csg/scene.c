@@ -11,6 +11,7 @@
 #include "csg/carrier_edit.h"
 #include "csg/distribute.h"
 #include "csg/framing.h"
+#include "csg/gather.h"
 #include "csg/object.h"
 #include "csg/own_faces.h"
 #include "csg/program.h"
@@ -208,16 +209,18 @@ static void fill_leaf_boxes(struct csgcast_scene *scene)
 static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
 {
     fill_leaf_boxes(scene);
+    csg_sort_wholes(scene);
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
     bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
         ok = simplify(scene, &scene->trees[layer], &kept[layer]);
-    ok = ok && fill_from_trees(scene) && csg_ways_fill(scene);
+    ok = ok && csg_gather_nodes(scene) && fill_from_trees(scene) && csg_ways_fill(scene);
     for (int layer = 0; layer < CSG_NUM_LAYERS && scene->keeps_structure; layer++) {
         ok = ok && csg_tree_keep_structure(scene, &kept[layer], &scene->trees[layer]);
         free(scene->trees[layer].data);
         scene->trees[layer] = kept[layer];
     }
+    ok = ok && (!scene->keeps_structure || csg_gather_nodes(scene));
     if (!ok || !build_surfaces(scene))
         return false;
     scene->objects = calloc(1, sizeof *scene->objects);

@@ -216,11 +216,14 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.single = packer->terms.leaves.num == 1 &&
                   !(packer->terms.leaves.data[0].flags &
                     (CSG_RECORD_GAP | CSG_RECORD_NEGATED | CSG_RECORD_SURFACE));
+    draw.has_rear = (draw.translucent || draw.paint == CSG_LAYER_HIGHLIGHT) &&
+                    index != CSG_WHOLE_LAYER && csg_object_is_one_node(packer->scene, object);
     draw.stiff = packer->terms.stiff;
     draw.precise = packer->terms.precise;
-    draw.around_eye = index == CSG_WHOLE_LAYER || csg_screen_eye_is_in(&packer->frame->screen, &object->box);
-    const struct csg_cells *cells;
-    if (!csg_cells_choose(&packer->terms, object, &rect, &draw, &cells))
+    draw.around_eye =
+        index == CSG_WHOLE_LAYER || csg_screen_eye_is_in(&packer->frame->screen, &object->box);
+    const struct csg_cells *cells = NULL;
+    if (!draw.has_rear && !csg_cells_choose(&packer->terms, object, &rect, &draw, &cells))
         return false;
     if (cells)
         return csg_walk_add(&packer->terms, cells, &rect, &draw);

@@ -30,8 +30,9 @@ struct csg_draw {
     struct csg_instance instance;
     uint32_t object;
     uint8_t layer, paint; /* as in csg_object */
-    bool single;          /* one convex leaf: its far side can show through */
+    bool single;          /* one convex leaf */
     bool translucent;     /* drawn after the opaque objects */
+    bool has_rear;        /* its far side shows through: nothing behind its front is left out */
     bool around_eye;      /* the eye can be inside */
     bool stiff;           /* some quadric needs the other form in this view */
     bool precise;         /* drawn in double: the records hold low parts */

@@ -394,15 +394,13 @@ static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw 
     return choose_shared(chooser, *resolver, features, resolver);
 }
 
-/* What is drawn translucent and is one convex leaf shows its far side. */
 static bool choose_rear(struct csg_chooser *chooser, const struct csg_draw *draw, GLuint *rear)
 {
     enum csg_resolver resolver;
-    const bool shows = draw->single && !is_for_cpu(chooser, draw) &&
-                       (draw->translucent || draw->paint == CSG_LAYER_HIGHLIGHT);
-    *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR,
-                                  CSG_FEATURE_QUADRIC | view_features(draw), &resolver)
-                  : 0;
+    const bool shows = draw->has_rear && !is_for_cpu(chooser, draw);
+    const int features =
+        CSG_FEATURE_QUADRIC | (draw->single ? 0 : CSG_FEATURE_GAP) | view_features(draw);
+    *rear = shows ? choose_shared(chooser, CSG_RESOLVER_REAR, features, &resolver) : 0;
     return !shows || *rear;
 }
 

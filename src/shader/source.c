@@ -178,14 +178,14 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver, int 
         return;
     }
     add_file(text, "csg/program.glsl");
-    if (resolver == CSG_RESOLVER_REAR) {
-        add_file(text, "csg/rear.glsl");
-    } else if (resolver == CSG_RESOLVER_CPU) {
+    if (resolver == CSG_RESOLVER_CPU) {
         add_file(text, "csg/cpu.glsl");
     } else if (resolver == CSG_RESOLVER_ALGORITHM4) {
         csg_text_add(text, "#define CSG_MAX_CROSSINGS %d\n", CSG_ALGORITHM4_MAX_CROSSINGS);
         add_file(text, "csg/algorithm4.glsl");
     } else {
+        if (resolver == CSG_RESOLVER_REAR)
+            csg_text_add(text, "#define CSG_REAR\n");
         add_file(text, "csg/resolve.glsl");
     }
 }

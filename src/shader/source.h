@@ -16,7 +16,7 @@ enum csg_resolver {
     CSG_RESOLVER_ALGORITHM4, /* Ranta et al. 2006, Algorithm 4: crossings collected and sorted */
     CSG_RESOLVER_DOUBLE,     /* the loop in double precision, for what float does not hold */
     CSG_NUM_RESOLVERS,
-    CSG_RESOLVER_REAR = CSG_NUM_RESOLVERS, /* the far side of one convex leaf; not a variant */
+    CSG_RESOLVER_REAR = CSG_NUM_RESOLVERS, /* the far side, by the loop; not a variant */
     CSG_RESOLVER_SURFACE,                  /* one surface, seen from outside; not a variant */
     CSG_RESOLVER_CPU                       /* leaves every pixel to the CPU; not a variant */
 };

@@ -93,7 +93,7 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
 static double front_of(struct csg_tiler *tiler, const struct csg_tree *tree)
 {
     double key = tiler->terms->frame->screen.k_far;
-    tiler->opaque = !tiler->draw->around_eye &&
+    tiler->opaque = !tiler->draw->around_eye && !tiler->draw->has_rear &&
                     csg_front_find(tiler->terms, tree, tiler->ranges.data, tiler->keys.data, &key);
     return key;
 }
