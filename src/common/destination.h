@@ -30,8 +30,8 @@ struct csg_destination {
     mode_t mode;                         /* of a file that is replaced; 0: a new one */
 };
 
-/* Makes the empty file to.temporary; where it has a name, that ends with the given extension. false, with a
- * message, where there is no place for it. */
+/* Makes the empty file to.temporary; where it has a name, that ends with the given extension.
+ * false, with a message, where there is no place for it. */
 bool csg_destination_open(struct csg_destination *to, const char *extension);
 
 /* Puts the file in its place. false, with a message, on failure: what was there before stays. */

@@ -5,10 +5,7 @@
 #include <stdlib.h>
 
 #include "crowd/crowd.h"
-
-/* Structures that get straight-line programs of their own, at most; the others share the loop.
- * Each costs 5 to 100 ms to compile where the driver's disk cache does not know it. */
-#define MAX_STRAIGHT_PROGRAMS 8
+#include "render/structures.h"
 
 /* Structures of more steps are drawn in tiles where steps times pixels are more than this: a tile
  * leaves out most of the solids, but takes as long to make as some hundred pixels. */
@@ -20,19 +17,10 @@
 #define FEW_STEPS 4
 #define MAX_FEW_STEP_PIXELS 2e6
 
-/* Program of a structure that this frame has met already. */
-struct known {
-    const struct csg_step *steps; /* of the first object that has it */
-    size_t num;
-    bool stiff;
-    GLuint program;
-};
-
 struct csg_chooser {
     struct csgcast_renderer *renderer;
     const struct csg_request *request;
-    struct known straight[MAX_STRAIGHT_PROGRAMS];
-    size_t num_straight;
+    struct csg_known_structures straight;
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
     GLuint cells[CSG_NUM_FEATURE_SETS];
@@ -81,42 +69,6 @@ bool csg_draws_whole(size_t object, double area, const void *user)
            (double)structure.num * area <= max_step_pixels(request, &structure);
 }
 
-static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
-{
-    const struct csg_shape *x = &scene->leaves[a].shape, *y = &scene->leaves[b].shape;
-    return x->num_planes == y->num_planes && csg_shape_is_paired(x) == csg_shape_is_paired(y);
-}
-
-/* Same flags, planes and file order of the leaves: the same straight-line text. */
-static bool same_structure(const struct csg_structure *a, bool stiff, const struct known *b)
-{
-    if (a->num != b->num || stiff != b->stiff)
-        return false;
-    for (size_t i = 0; i < a->num; i++) {
-        const struct csg_step *x = &a->steps[i], *y = &b->steps[i];
-        if (x->flags != y->flags)
-            return false;
-        if (x->flags & CSG_RECORD_POP)
-            continue;
-        if (!same_leaf_shape(a->scene, x->leaf, y->leaf))
-            return false;
-        for (size_t j = 0; j < i; j++)
-            if (!(a->steps[j].flags & CSG_RECORD_POP) &&
-                (x->leaf < a->steps[j].leaf) != (y->leaf < b->steps[j].leaf))
-                return false;
-    }
-    return true;
-}
-
-static struct known *find_straight(struct csg_chooser *chooser,
-                                   const struct csg_structure *structure, bool stiff)
-{
-    for (size_t i = 0; i < chooser->num_straight; i++)
-        if (same_structure(structure, stiff, &chooser->straight[i]))
-            return &chooser->straight[i];
-    return NULL;
-}
-
 static int frame_features(const struct csg_chooser *chooser)
 {
     return (chooser->direct ? CSG_FEATURE_DIRECT : 0) |
@@ -158,14 +110,21 @@ static GLuint compile_shared(struct csg_chooser *chooser, enum csg_resolver reso
 static GLuint choose_straight(struct csg_chooser *chooser, const struct csg_structure *structure,
                               bool stiff, int features)
 {
-    struct known *known = find_straight(chooser, structure, stiff);
+    const GLuint known = csg_structures_find(&chooser->straight, structure, stiff);
     if (known)
-        return known->program;
+        return known;
     const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure, features);
     if (program)
-        chooser->straight[chooser->num_straight++] =
-            (struct known){structure->steps, structure->num, stiff, program};
+        csg_structures_add(&chooser->straight, structure, stiff, program);
     return program;
+}
+
+/* Whether a structure can have a program of its own: there is one, or room for one. */
+static bool has_room(const struct csg_chooser *chooser, const struct csg_structure *structure,
+                     bool stiff)
+{
+    return chooser->straight.num < CSG_MAX_STRAIGHT_PROGRAMS ||
+           csg_structures_find(&chooser->straight, structure, stiff);
 }
 
 /* Straight-line code takes half of the planes of paired leaves for exits, as they always are but
@@ -193,8 +152,7 @@ static bool can_be_straight(struct csg_chooser *chooser, const struct csg_struct
     return !draw->around_eye && csg_structure_is_small(structure) &&
            (chooser->request->textbook || has_exits(chooser, structure, draw)) &&
            (structure->num == 1 || !chooser->request->shared) &&
-           (chooser->num_straight < MAX_STRAIGHT_PROGRAMS ||
-            find_straight(chooser, structure, draw->stiff));
+           has_room(chooser, structure, draw->stiff);
 }
 
 /* What a draw's program must do because of this view. */
@@ -360,9 +318,8 @@ static bool prepare_whole(struct csg_chooser *chooser, const struct csg_draw *dr
     if (request->shared || request->scene->objects->data[draw->object].crowded ||
         max_step_pixels(request, &structure) == INFINITY || !csg_structure_is_small(&structure))
         return true;
-    const bool known = find_straight(chooser, &structure, draw->stiff);
     return prepare_tiles(chooser) &&
-           (known || chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
+           (!has_room(chooser, &structure, draw->stiff) ||
             choose_straight(chooser, &structure, draw->stiff,
                             csg_structure_features(&structure) | view_features(draw)));
 }
@@ -458,7 +415,7 @@ static bool prepare_single(struct csg_chooser *chooser, uint32_t object,
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
     ball.ball = run.has_quadric && run.num_planes == 0;
     return prepare_run(chooser, run) && prepare_run(chooser, ball) &&
-           (chooser->num_straight == MAX_STRAIGHT_PROGRAMS ||
+           (!has_room(chooser, &structure, false) ||
             choose_straight(chooser, &structure, false, csg_structure_features(&structure)));
 }
 

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_RENDER_STRUCTURES_H
+#define CSG_RENDER_STRUCTURES_H
+
+/* The structures of a frame's objects that have straight-line programs of their own. */
+
+#include "render/renderer.h"
+
+/* At most; the others share the loop. Each costs 5 to 100 ms to compile where the driver's disk
+ * cache does not know it. */
+#define CSG_MAX_STRAIGHT_PROGRAMS 8
+
+struct csg_known_structure {
+    const struct csg_step *steps; /* of the first object that has it */
+    size_t num;
+    bool stiff;
+    GLuint program;
+};
+
+/* Zero-initialise it. */
+struct csg_known_structures {
+    struct csg_known_structure data[CSG_MAX_STRAIGHT_PROGRAMS];
+    size_t num;
+};
+
+/* The program of a structure; 0: it has none. */
+GLuint csg_structures_find(const struct csg_known_structures *known,
+                           const struct csg_structure *structure, bool stiff);
+
+/* There is room for it. */
+void csg_structures_add(struct csg_known_structures *known, const struct csg_structure *structure,
+                        bool stiff, GLuint program);
+
+#endif
