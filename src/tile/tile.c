@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tile/tile.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,12 @@
  * where a tile is empty. In pixels. */
 #define SURFACE_TILE_SIZE 64
 
+/* Solids of many planes are cut into tiles, however few they are: of a tile's planes few can be its
+ * entry or exit. All of them are asked for each tile, so these are no smaller than pays (measured). */
+#define MANY_PLANES 64
+#define VERY_MANY_PLANES 1024
+#define PLANES_TILE_SIZE 32
+
 /* A tile that may meet so few bands of stacks is not worth cutting for them. */
 #define SMALL_BANDS 4
 
@@ -32,6 +39,18 @@ static size_t count_leaves(const struct csg_tree *tree)
     for (size_t i = 0; i < tree->num; i++)
         num += tree->data[i].op == CSG_LEAF;
     return num;
+}
+
+/* Tiles that are not larger need not be cut for the planes in them; stacks have none. */
+static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < tree->num && num < VERY_MANY_PLANES; i++)
+        if (tree->data[i].op == CSG_LEAF && tree->data[i].leaf < scene->num_leaves)
+            num += scene->leaves[tree->data[i].leaf].shape.num_planes;
+    if (num < MANY_PLANES)
+        return INT_MAX;
+    return num < VERY_MANY_PLANES ? PLANES_TILE_SIZE : PLANES_TILE_SIZE / 2;
 }
 
 static bool copy_tree(struct csg_tiler *tiler, const struct csg_tree *tree, struct csg_tree *copy)
@@ -181,20 +200,24 @@ static bool emit(struct csg_tiler *tiler, const struct csg_tile_task *task)
            csg_array_push(&frame->draws, draw);
 }
 
+static bool is_within(const struct csg_tile_task *task, int size)
+{
+    return task->hi[0] - task->lo[0] <= size && task->hi[1] - task->lo[1] <= size;
+}
+
 static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                              size_t num_leaves)
 {
     const int few = !tiler->fine && task->flat && num_leaves <= CHAIN_LEAVES ? 2 : 1;
     const int tile = few * tile_size(tiler);
-    const bool smallest = task->hi[0] - task->lo[0] <= tile && task->hi[1] - task->lo[1] <= tile;
+    const bool smallest = is_within(task, tile);
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
-    const bool small_enough =
-        tiler->terms->views.num == 0 || (task->hi[0] - task->lo[0] <= SURFACE_TILE_SIZE &&
-                                         task->hi[1] - task->lo[1] <= SURFACE_TILE_SIZE);
-    if (!small_enough)
+    if (tiler->terms->views.num > 0 && !is_within(task, SURFACE_TILE_SIZE))
         return true;
-    const bool many = task->bands.num > SMALL_BANDS || (!stubborn && num_leaves > SMALL_LEAVES);
+    const bool many =
+        task->bands.num > SMALL_BANDS || (!stubborn && num_leaves > SMALL_LEAVES) ||
+        !is_within(task, planes_tile_size(tiler->terms->scene, &task->tree));
     return !smallest && many && tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
