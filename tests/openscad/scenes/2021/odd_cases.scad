@@ -19,3 +19,6 @@ translate([8, -9, 0]) polyhedron([[0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]],
     [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
 translate([16, -9, 0]) linear_extrude(2) polygon([[0, 0], [4, 0], [0, 4]], [0, 1, 2]);
 translate([16, -9, 0]) cube(1);
+
+// Only circles, spheres and cylinders have a least $fa.
+translate([30, -9, 0]) rotate_extrude($fa = -1, $fs = 2) translate([4, 0]) square([3, 2]);
