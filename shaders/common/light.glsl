@@ -55,7 +55,7 @@ vec4 csg_color_of(csg_face face)
 
 /* To what a byte holds, as csg_color_bytes rounds. What is written becomes the nearest byte, so
  * this need not be a division to the last bit. */
-vec4 csg_rounded(vec4 color)
+vec3 csg_rounded(vec3 color)
 {
     return floor(color * 255.0 + 0.5) * (1.0 / 255.0);
 }

@@ -26,7 +26,7 @@ void main()
     csg_face face = csg_face_of(int(visible.y) - 1, csg_pixel(), uintBitsToFloat(visible.x));
     csg_color = csg_color_of(face);
 #ifdef CSG_WANT_BYTES
-    csg_color = csg_rounded(csg_color);
+    csg_color.rgb = csg_rounded(csg_color.rgb);
 #else
     csg_geometry = vec4(face.normal / face.size, csg_distance(face.key));
 #endif

@@ -12,7 +12,7 @@ layout(location = 0) out uvec2 csg_visible;
 void csg_show(vec2 d, float k, int place)
 {
 #ifdef CSG_DIRECT
-    csg_color = csg_rounded(csg_color_of(csg_face_of(place, d, k)));
+    csg_color = vec4(csg_rounded(csg_color_of(csg_face_of(place, d, k)).rgb), 1.0);
 #else
     csg_visible = uvec2(floatBitsToUint(k), uint(place + 1));
 #endif
