@@ -286,9 +286,11 @@ void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scen
     for (size_t i = 0; i < crowd->num; i++) {
         const float alpha = scene->leaves[crowd->leaf[i]].color[3];
         crowd->opaque[i] = alpha < 0 || alpha >= 1;
+        crowd->covers[crowd->object[i]] = crowd->opaque[i] ? CSG_COVER_NONE : CSG_COVER_GLASS;
     }
-    for (size_t i = 0; i < scene->objects->num; i++)
-        crowd->covers[i] = (uint8_t)cover_of(scene, &scene->objects->data[i]);
+    for (size_t i = 0; i < crowd->num_others; i++)
+        crowd->covers[crowd->others[i]] =
+            (uint8_t)cover_of(scene, &scene->objects->data[crowd->others[i]]);
 }
 
 /* A root's own number counts where it has kin. */

@@ -9,12 +9,6 @@
 #include "csg/own_faces.h"
 #include "mesh/surface.h"
 
-/* Faces whose tolerance is a larger share of their radius than this, which are specks, and those of
- * surfaces: continued to the far end of the scene they stray by this many times their tolerance at
- * most before the index may miss what they coincide with. */
-#define MAX_SHARE (1.0 / 128)
-#define MAX_LEVER 16.0
-
 /* Appends to an array that lives in struct csg_carriers. */
 #define push_carrier(carriers, name, value)                                                        \
     (((carriers)->num_##name < (carriers)->name##_capacity ||                                      \
@@ -275,81 +269,6 @@ static bool assign_leaf(struct csg_carrier_builder *builder, const struct csg_ra
     return !shape->has_quadric ||
            assign_quadric(builder, leaf, &extent, rank,
                           is_loner(builder, builder->loners.quadrics, leaf));
-}
-
-/* The finite part of the scene: where the faces are hashed. */
-static struct csg_box finite_box(const struct csg_carrier_builder *builder)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    struct csg_box box = csg_box_empty;
-    for (size_t i = 0; i < scene->num_leaves; i++) {
-        const struct csg_box leaf = csg_leaf_box(&scene->leaves[i]);
-        if (builder->wanted[i] && csg_box_is_finite(&leaf))
-            box = csg_box_union(&box, &leaf);
-    }
-    return box;
-}
-
-/* How far a face that coincides with one of the leaf's may be from it, over the leaf. */
-static double double_tolerance(const struct csg_leaf_extent *extent)
-{
-    return 2 * csg_carrier_tolerance(extent, extent->rounding);
-}
-
-static bool is_speck(const struct csg_leaf_extent *extent)
-{
-    return !(double_tolerance(extent) <= MAX_SHARE * extent->radius);
-}
-
-/* The same at the scene's far end. */
-static double slack_of(const struct csg_carrier_builder *builder, uint32_t leaf,
-                       const struct csg_leaf_extent *extent)
-{
-    const bool is_surface = builder->scene->leaves[leaf].shape.surface != NULL;
-    const double lever = is_surface ? MAX_LEVER : builder->radius / extent->radius;
-    return double_tolerance(extent) *
-           (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
-}
-
-/* ... and how far two matching faces can differ there at most. */
-bool csg_carrier_start_index(struct csg_carrier_builder *builder)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    const struct csg_box box = finite_box(builder);
-    const bool empty = csg_box_is_empty(&box);
-    const struct csg_vec3 center =
-        empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
-    const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
-    builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    builder->largest_slack = builder->largest_tolerance = builder->largest_rounding = 0;
-    for (uint32_t i = 0; i < scene->num_leaves; i++) {
-        if (!builder->wanted[i])
-            continue;
-        const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, i);
-        builder->largest_slack = fmax(builder->largest_slack, room * slack_of(builder, i, &extent));
-        builder->largest_tolerance =
-            fmax(builder->largest_tolerance, room * double_tolerance(&extent));
-        builder->largest_rounding = fmax(builder->largest_rounding, extent.rounding);
-    }
-    return csg_index_start(&builder->index, center, builder->radius, builder->largest_slack,
-                           builder->largest_tolerance);
-}
-
-bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf)
-{
-    const struct csg_leaf *own = &builder->scene->leaves[leaf];
-    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
-    return csg_box_is_finite(&own->box) && !own->shape.surface && !is_speck(&extent);
-}
-
-bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf)
-{
-    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
-    const double away = csg_length(csg_sub(extent.center, builder->index.center));
-    return csg_carrier_can_follow(builder, leaf) &&
-           away + extent.radius <= builder->radius &&
-           slack_of(builder, leaf, &extent) <= builder->largest_slack &&
-           double_tolerance(&extent) <= builder->largest_tolerance;
 }
 
 /* Faces of surfaces have a place where not all are remote. */
