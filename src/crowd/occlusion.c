@@ -17,8 +17,9 @@ enum { PREFETCHED = 8 };
 /* Larger ones are drawn sooner by themselves: what they own is looked up pixel by pixel. */
 enum { MAX_OWNER_PIXELS = 256 };
 
-/* Fewer owners do not repay the picture of them. */
-enum { MIN_PICTURE_PER_OWNER = 256 };
+/* Pixels of the picture for which one owner repays it: of other solids than balls more is looked
+ * up. */
+enum { PIXELS_PER_BALL = 256, PIXELS_PER_OTHER = 24 };
 
 static const struct csg_screen *screen_of(const struct csg_cull *cull)
 {
@@ -183,13 +184,19 @@ static struct csg_owned add_owned(const struct csg_owned bands[CSG_NUM_BANDS])
     return all;
 }
 
-static size_t count_owners(const struct csg_cull *cull)
+/* Pixels of a picture that the owners repay. */
+static size_t pixels_repaid(const struct csg_cull *cull)
 {
     size_t num = 0;
     for (size_t i = 0; i < cull->blocks.num; i++) {
         const struct csg_crowd_block *block = &cull->blocks.data[i];
-        for (size_t j = block->begin; j < block->begin + block->num; j++)
-            num += owner_of(cull, &cull->candidates[j]) != CSG_NOBODY;
+        for (size_t j = block->begin; j < block->begin + block->num; j++) {
+            const struct csg_candidate *candidate = &cull->candidates[j];
+            const bool is_ball =
+                cull->view.crowd->classes[candidate->class].outline == CSG_OUTLINE_BALL;
+            if (owner_of(cull, candidate) != CSG_NOBODY)
+                num += is_ball ? PIXELS_PER_BALL : PIXELS_PER_OTHER;
+        }
     }
     return num;
 }
@@ -197,8 +204,7 @@ static size_t count_owners(const struct csg_cull *cull)
 static bool takes_owners(const struct csg_cull *cull)
 {
     const size_t picture = (size_t)screen_of(cull)->width * (size_t)screen_of(cull)->height;
-    return picture <= cull->max_owners &&
-           count_owners(cull) >= picture / MIN_PICTURE_PER_OWNER;
+    return picture <= cull->max_owners && pixels_repaid(cull) >= picture;
 }
 
 static bool init_opaque(struct csg_cull *cull)
