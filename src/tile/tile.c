@@ -11,9 +11,9 @@
 /* A tile whose part of the tree is this small is not worth cutting further. */
 #define SMALL_LEAVES 2
 
-/* Nor is one of twice the smallest size whose tree a chain has room for (CSG_RESOLVER_CHAIN): to
- * make four of it costs more than they spare. */
-#define CHAIN_LEAVES 5
+/* Nor is one of twice the smallest size with so few leaves under one intersection, which a chain
+ * draws (CSG_RESOLVER_CHAIN): to make four of it costs more than they spare. */
+#define FEW_LEAVES 3
 
 /* Tiles with surfaces of triangles have lists of their own in smaller cells, but nothing is drawn
  * where a tile is empty. In pixels. */
@@ -208,7 +208,7 @@ static bool is_within(const struct csg_tile_task *task, int size)
 static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                              size_t num_leaves)
 {
-    const int few = !tiler->fine && task->flat && num_leaves <= CHAIN_LEAVES ? 2 : 1;
+    const int few = !tiler->fine && task->flat && num_leaves <= FEW_LEAVES ? 2 : 1;
     const int tile = few * tile_size(tiler);
     const bool smallest = is_within(task, tile);
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
