@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "measure.h"
 
+#include "edited.h"
 #include "messages.h"
 
 #include <math.h>
@@ -13,7 +14,6 @@
 #include "common/clock.h"
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
-#define EDIT_STEP 0.01   /* of the scene's size: how far a leaf is moved at most */
 #define DEGREE (3.14159265358979323846 / 180)
 
 static int compare(const void *a, const void *b)
@@ -52,39 +52,6 @@ static void turn_camera(struct csgcast_camera *camera, double degrees)
     camera->rotate[2] += degrees;
 }
 
-struct edited {
-    size_t leaf;
-    double matrix[16]; /* as in the file */
-    double step;       /* scene units */
-};
-
-static bool begin_edits(struct csgcast_scene *scene, int asked, struct edited *edited)
-{
-    struct csgcast_leaf leaf;
-    double lo[3], hi[3];
-    const size_t num = csgcast_scene_num_leaves(scene);
-    if (num == 0 || asked >= (long)num) {
-        csg_cli_error("--edit: the scene has %zu leaves", num);
-        return false;
-    }
-    edited->leaf = asked >= 0 ? (size_t)asked : num - 1;
-    if (!csgcast_scene_get_leaf(scene, edited->leaf, &leaf))
-        return false;
-    memcpy(edited->matrix, leaf.matrix, sizeof edited->matrix);
-    const bool bounded = csgcast_scene_get_bounds(scene, lo, hi) && isfinite(hi[0] - lo[0]);
-    edited->step = bounded ? EDIT_STEP * (hi[0] - lo[0]) : EDIT_STEP;
-    return true;
-}
-
-/* Moves the leaf along x, there and back, never to the same place. */
-static bool edit_scene(struct csgcast_scene *scene, const struct edited *edited, int frame)
-{
-    double matrix[16];
-    memcpy(matrix, edited->matrix, sizeof matrix);
-    matrix[3] += edited->step * sin(0.7 * (frame + 1));
-    return csgcast_scene_set_matrix(scene, edited->leaf, matrix);
-}
-
 /* ---- the frames ------------------------------------------------------------------------------ */
 
 struct run {
@@ -94,7 +61,7 @@ struct run {
     struct csgcast_renderer *renderer;
     struct csgcast_view view;
     struct csgcast_image image;
-    struct edited edited;
+    struct csg_edited edited;
     struct csg_frame_times *times; /* num_frames */
     struct csg_measurement *result;
 };
@@ -144,7 +111,7 @@ static bool draw_frame(struct run *run, int frame)
     const double begun = csg_clock_ms(), worked = csg_clock_work_ms();
     if (run->options->orbit)
         turn_camera(&run->view.camera, 360.0 / run->result->num_frames);
-    if (run->options->edit && !edit_scene(run->scene, &run->edited, frame))
+    if (run->options->edit && !csg_edited_change(&run->edited, run->scene, frame))
         return false;
     const double edited = csg_clock_ms();
     if (!draw(run))
@@ -186,7 +153,7 @@ static bool find_spreads(const struct run *run)
 
 static bool draw_frames(struct run *run)
 {
-    if (run->options->edit && !begin_edits(run->scene, run->options->edited_leaf, &run->edited))
+    if (run->options->edit && !csg_edited_init(&run->edited, run->options, run->scene))
         return false;
     bool good = true;
     for (int frame = 0; frame < run->result->num_frames && good; frame++)
@@ -225,6 +192,7 @@ bool csg_measure(const struct csg_cli_options *options, const char *input,
                                        .height = run.view.height,
                                        .num_frames = options->num_frames};
     const bool good = measure(&run);
+    csg_edited_finish(&run.edited);
     csgcast_renderer_destroy(run.renderer);
     csgcast_scene_destroy(run.scene);
     free(run.image.rgba8);

@@ -83,6 +83,20 @@ static const char *set_edit(struct csg_cli_options *options, const char *value)
                : "the number of a leaf, from 0";
 }
 
+static const char *set_edit_what(struct csg_cli_options *options, const char *value)
+{
+    static const struct csg_value_name names[] = {{"matrix", CSG_CLI_EDIT_MATRIX},
+                                                  {"parameters", CSG_CLI_EDIT_PARAMETERS},
+                                                  {"color", CSG_CLI_EDIT_COLOR},
+                                                  {NULL, 0}};
+    int what;
+    if (!csg_value_enum(value, names, &what))
+        return "matrix, parameters or color";
+    options->edit = true;
+    options->edit_what = (enum csg_cli_edit)what;
+    return NULL;
+}
+
 static const char *set_stats(struct csg_cli_options *options, const char *value)
 {
     (void)value;
@@ -274,6 +288,10 @@ const struct csg_option csg_option_table[] = {
      "move one leaf each frame: a number of the channel id, default\n"
      "the last one",
      set_edit},
+    {"edit-what", 0, REQUIRED, BENCH, "NAME",
+     "what changes of it: matrix (default), parameters (the first number) or\n"
+     "color",
+     set_edit_what},
     {"json", 0, NONE, INFO | COMPARE | BENCH | CACHE, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},

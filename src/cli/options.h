@@ -40,6 +40,9 @@ struct csg_report_options {
     bool quick;
 };
 
+/* What of the leaf `bench --edit` changes. */
+enum csg_cli_edit { CSG_CLI_EDIT_MATRIX, CSG_CLI_EDIT_PARAMETERS, CSG_CLI_EDIT_COLOR };
+
 struct csg_cli_options {
     struct csg_compare_options compare;
     struct csg_report_options report;
@@ -60,6 +63,7 @@ struct csg_cli_options {
     int num_frames;    /* bench: after the first image */
     bool orbit, edit;  /* bench: what changes from frame to frame */
     int edited_leaf;   /* bench: -1 for the last one */
+    enum csg_cli_edit edit_what; /* bench */
     bool clear; /* the cache */
     bool help; /* show the help instead */
 };

@@ -87,8 +87,17 @@ static bool is_opaque(const struct distributor *at)
     return true;
 }
 
-/* The part of one operand, with all that it is cut by. */
-static bool gather(struct distributor *at, uint32_t operand)
+/* A subtrahend that is away from there takes nothing away: the fold would leave it out. */
+static bool is_away(const struct distributor *at, const struct csg_node *node,
+                    const struct csg_box *around)
+{
+    const struct csg_leaf *leaf = &at->scene->leaves[node->leaf];
+    return node->op == CSG_LEAF && node->negated && !node->spare && !leaf->shape.surface &&
+           csg_side_of_box(&leaf->box, around) == CSG_NOTHING;
+}
+
+/* The part of one operand, with all that it is cut by around it. */
+static bool gather(struct distributor *at, uint32_t operand, const struct csg_box *around)
 {
     const struct csg_node *nodes = at->from->data;
     const struct csg_node *root = &nodes[at->object->begin];
@@ -96,7 +105,8 @@ static bool gather(struct distributor *at, uint32_t operand)
     bool ok = csg_array_push(&at->part, *root) &&
               csg_tree_append(&at->part, nodes, operand, nodes[operand].end);
     for (uint32_t i = at->object->begin + 1; i < at->object->end && ok; i = nodes[i].end)
-        ok = i == at->wide || csg_tree_append(&at->part, nodes, i, nodes[i].end);
+        ok = i == at->wide || is_away(at, &nodes[i], around) ||
+             csg_tree_append(&at->part, nodes, i, nodes[i].end);
     if (ok)
         at->part.data[0].end = (uint32_t)at->part.num;
     return ok;
@@ -141,7 +151,7 @@ static bool add_part(struct distributor *at, uint32_t operand, uint32_t minuend)
     if (csg_box_is_empty(&box))
         return true;
     const struct csg_box around = csg_box_grown(&box, at->margin);
-    if (!gather(at, operand) || !fold(at, operand, &around))
+    if (!gather(at, operand, &around) || !fold(at, operand, &around))
         return false;
     if (at->part.num == 0)
         return true;

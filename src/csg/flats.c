@@ -20,6 +20,8 @@ bool csg_flats_add(struct csg_flats *flats, const struct csg_plane *plane, uint3
                           ((struct csg_flat){.normal = csg_scale(s, n),
                                              .height = s * plane->offset,
                                              .place = fabs(csg_dot(n, csg_vec3(0.54, 0.32, 0.78))),
+                                             .other_place =
+                                                 fabs(csg_dot(n, csg_vec3(0.81, -0.43, -0.39))),
                                              .carrier = carrier,
                                              .leaf = leaf,
                                              .turned = turned != turns}));
@@ -73,14 +75,16 @@ static bool sort_keys(struct csg_flats *flats)
 static bool sort(struct csg_flats *flats, struct csg_vec3 center)
 {
     const size_t num = flats->all.num;
-    flats->sorted.num = flats->sides[0].num = flats->sides[1].num = 0;
+    flats->sorted.num = flats->sides[0].num = flats->sides[1].num = flats->other_places.num = 0;
     if (!sort_keys(flats) || !csg_array_reserve(&flats->sorted, num) ||
+        !csg_array_reserve(&flats->other_places, num) ||
         !csg_array_reserve(&flats->sides[0], num) || !csg_array_reserve(&flats->sides[1], num))
         return false;
     for (size_t i = 0; i < num; i++) {
         struct csg_flat *flat = &flats->sorted.data[i];
         *flat = flats->all.data[flats->keys.data[i].flat];
         flat->height -= csg_dot(flat->normal, center);
+        flats->other_places.data[i] = flat->other_place;
         flats->sides[flat->turned].data[i] = flat->height;
         flats->sides[!flat->turned].data[i] = INFINITY;
     }
@@ -166,6 +170,8 @@ bool csg_flats_note(struct csg_flats *flats, struct csg_vec3 center, double radi
             line++;
         note_parallel(sharp, flats, i, line < end ? line : end, radius, noise);
         for (size_t j = line; j < end; j++) {
+            if (fabs(flats->other_places.data[j] - sorted[i].other_place) >= 2 * CSG_FINE_MAX_ANGLE)
+                continue;
             if (sorted[j].place - sorted[i].place >= 2 * CSG_FINE_MAX_ANGLE)
                 break;
             note_pair(sharp, &sorted[i], &sorted[j], radius, noise);
@@ -180,6 +186,7 @@ void csg_flats_finish(struct csg_flats *flats)
     free(flats->keys.data);
     free(flats->room.data);
     free(flats->sorted.data);
+    free(flats->other_places.data);
     free(flats->sides[0].data);
     free(flats->sides[1].data);
 }

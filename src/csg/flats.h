@@ -9,7 +9,8 @@
 struct csg_flat {
     struct csg_vec3 normal; /* of n and -n always the same one */
     double height;          /* of the plane above the object's middle */
-    double place;           /* nearly parallel ones have nearly the same */
+    double place;           /* nearly parallel ones have nearly the same, */
+    double other_place;     /* ... and nearly this as well */
     uint32_t carrier, leaf;
     bool turned; /* the solid is on the other side */
 };
@@ -23,6 +24,7 @@ struct csg_flats {
     })
     keys, room;
     CSG_ARRAY(struct csg_flat) sorted;
+    CSG_ARRAY(double) other_places; /* of the sorted ones */
     CSG_ARRAY(double) sides[2]; /* heights of those, not turned and turned, of others infinity */
 };
 

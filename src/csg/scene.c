@@ -189,26 +189,34 @@ static bool build_surfaces(struct csgcast_scene *scene)
 /* Leaves that one core looks at, at a time. */
 enum { CHUNK = 4096 };
 
+static void fill_box_of_leaf(struct csg_leaf *leaf)
+{
+    leaf->box =
+        leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
+}
+
 static void fill_boxes_of_leaves(void *user, size_t chunk)
 {
     struct csgcast_scene *scene = user;
-    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++) {
-        struct csg_leaf *leaf = &scene->leaves[i];
-        leaf->box =
-            leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
-    }
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++)
+        fill_box_of_leaf(&scene->leaves[i]);
 }
 
 /* Everything that follows asks for them, again and again. */
-static void fill_leaf_boxes(struct csgcast_scene *scene)
+static void fill_leaf_boxes(struct csgcast_scene *scene, const struct csg_carriers_before *before)
 {
+    for (size_t i = 0; i < scene->num_leaves && before; i++)
+        if (before->changed[i])
+            fill_box_of_leaf(&scene->leaves[i]);
+    if (before)
+        return;
     csg_parallel(scene->num_threads, (scene->num_leaves + CHUNK - 1) / CHUNK, fill_boxes_of_leaves,
                  scene);
 }
 
 static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
 {
-    fill_leaf_boxes(scene);
+    fill_leaf_boxes(scene, before);
     csg_sort_wholes(scene);
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
     bool ok = true;

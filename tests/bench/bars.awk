@@ -79,7 +79,12 @@ END {
             "first-" first[i] ",csgcast", 1, "process")
     }
     n = split("five plate10 plate32 nested256 rack", edited, " ")
-    for (i = 1; i <= n; i++)
-        at_most("one matrix edited, " edited[i] ": over an orbit's frame", "edit-" edited[i] ",edit",
+    for (i = 1; i <= n; i++) {
+        text = edited[i] ": over an orbit's frame"
+        at_most("one matrix edited, " text, "edit-" edited[i] ",edit", "edit-" edited[i] ",orbit", 1.2)
+        at_most("parameters edited, " text, "edit-" edited[i] ",edit-parameters",
             "edit-" edited[i] ",orbit", 1.2)
+        at_most("a colour edited, " text, "edit-" edited[i] ",edit-color",
+            "edit-" edited[i] ",orbit", 1.2)
+    }
 }

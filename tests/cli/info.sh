@@ -99,6 +99,9 @@ check "an object a file, and stages that are parts of their frame" node -e '
         part.edit_ms >= csg && csg > 0 && stages.draw > 0 &&
         part.edit_ms + sum(stages) < 1.01 * part.frame_ms.max &&
         sum(part.first_stages_ms) < part.first_image_ms ? 0 : 1);'
+expect 0 "bench of parameters" bench part.csg "${small[@]}" --edit=0 --edit-what=parameters
+expect 0 "bench of colours" bench part.csg "${small[@]}" --edit-what=color
+expect 2 "bench of nothing that changes" bench part.csg "${small[@]}" --edit-what=size
 expect 1 "no such leaf" bench part.csg "${small[@]}" --edit=7
 expect 2 "no frames" bench part.csg --frames=0
 expect 2 "bench of no scene" bench
