@@ -417,5 +417,6 @@ void csg_carriers_destroy(struct csg_carriers *carriers)
     free(carriers->faces);
     free(carriers->quadric_faces);
     free(carriers->sheets);
+    free(carriers->renewed);
     free(carriers);
 }

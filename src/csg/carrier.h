@@ -29,7 +29,7 @@ struct csg_carriers {
     size_t quadric_boxes_capacity, num_quadric_boxes;
     uint32_t *quadric_leaves; /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity, num_quadric_leaves;
-    size_t num_unused_planes, num_unused_quadrics; /* carriers that an edit has left without faces */
+    size_t num_unused_planes, num_unused_quadrics; /* an edit has left them without faces */
     size_t num_shared; /* faces that found an earlier face's carrier */
     size_t num_own;    /* planes of surfaces that nothing else can lie on: not in planes[] */
 
@@ -38,6 +38,7 @@ struct csg_carriers {
                                      * whose faces are all its own there are none */
     struct csg_face *quadric_faces; /* per leaf; carrier CSG_NO_CARRIER where it has none */
     int8_t *sheets;                 /* per leaf: shape.sheet, in the carrier's canonical space */
+    bool *renewed; /* after an edit, by leaf: it or a carrier of its faces has changed; or NULL */
     struct csg_carrier_builder *kept; /* in scenes that are edited, for the next edit; or NULL */
 };
 

@@ -33,7 +33,7 @@ struct edit {
     struct csg_carrier_builder *builder;
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
-    const struct csg_carriers_before *before;
+    const struct csg_before *before;
     bool *wanted; /* by leaf, after the edit */
     struct items items[NUM_KINDS];
     struct numbers affected[NUM_KINDS]; /* carriers whose faces are still to become items */
@@ -140,7 +140,7 @@ static const struct csg_shape *shape_before(const struct edit *edit, uint32_t le
 
 static bool take_out(struct edit *edit, uint32_t leaf)
 {
-    const struct csg_carriers *old = edit->before->carriers;
+    const struct csg_carriers *old = edit->before->scene->carriers;
     const uint32_t begin = old->face_begin[leaf], end = old->face_begin[leaf + 1];
     const struct csg_shape *shape = shape_before(edit, leaf);
     for (uint32_t i = begin; i < end; i++) {
@@ -210,6 +210,7 @@ static bool take_item(struct edit *edit, int kind, const struct csg_rank *rank)
         csg_plane_table_remove(&edit->builder->planes, edit->carriers->planes,
                                plane_of(edit, rank));
     face->carrier = CSG_NO_CARRIER;
+    edit->carriers->renewed[rank->leaf] = true;
     return csg_array_push(&edit->items[kind], item);
 }
 
@@ -326,7 +327,7 @@ static bool settle(struct edit *edit, int kind)
 /* Leaves that are out keep no carriers, and those that come have none yet. */
 static void copy_faces(struct edit *edit)
 {
-    const struct csg_carriers *old = edit->before->carriers;
+    const struct csg_carriers *old = edit->before->scene->carriers;
     struct csg_carriers *carriers = edit->carriers;
     for (uint32_t i = 0; i < edit->scene->num_leaves; i++) {
         struct csg_face *faces = &carriers->faces[carriers->face_begin[i]];
@@ -336,6 +337,7 @@ static void copy_faces(struct edit *edit)
             carriers->quadric_faces[i] = old->quadric_faces[i];
             carriers->sheets[i] = old->sheets[i];
         }
+        carriers->renewed[i] = is_touched(edit, i);
         for (uint32_t j = 0; j < num && is_touched(edit, i) && edit->wanted[i]; j++)
             faces[j].carrier = CSG_NO_CARRIER;
     }
@@ -352,7 +354,7 @@ static void *copy_of(const void *data, size_t num, size_t size)
 /* The carriers are those of before, for now. */
 static bool copy_carriers(struct edit *edit)
 {
-    const struct csg_carriers *old = edit->before->carriers;
+    const struct csg_carriers *old = edit->before->scene->carriers;
     struct csg_carriers *carriers = edit->carriers;
     carriers->planes = copy_of(old->planes, old->num_planes, sizeof *old->planes);
     carriers->quadric_leaves =
@@ -365,7 +367,9 @@ static bool copy_carriers(struct edit *edit)
     edit->num_marks[QUADRIC] = old->num_quadrics;
     edit->marks[PLANE] = calloc(old->num_planes + 1, 1);
     edit->marks[QUADRIC] = calloc(old->num_quadrics + 1, 1);
+    carriers->renewed = calloc(edit->scene->num_leaves + 1, sizeof *carriers->renewed);
     return carriers->planes && carriers->quadric_leaves && carriers->quadric_boxes &&
+           carriers->renewed &&
            edit->marks[PLANE] && edit->marks[QUADRIC];
 }
 
@@ -448,7 +452,7 @@ static struct csg_carriers *make(struct edit *edit)
 {
     struct csg_carriers *carriers = edit->carriers = calloc(1, sizeof *carriers);
     const bool ok = carriers && follow(edit);
-    edit->before->carriers->kept = NULL;
+    edit->before->scene->carriers->kept = NULL;
     if (carriers)
         carriers->kept = edit->builder;
     else
@@ -464,9 +468,9 @@ static struct csg_carriers *make(struct edit *edit)
 }
 
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
-                                       const struct csg_carriers_before *before)
+                                       const struct csg_before *before)
 {
-    struct edit edit = {.scene = scene, .before = before, .builder = before->carriers->kept};
+    struct edit edit = {.scene = scene, .before = before, .builder = before->scene->carriers->kept};
     if (!edit.builder)
         return csg_carriers_create(scene, true);
     edit.wanted = calloc(scene->num_leaves + 1, sizeof *edit.wanted);

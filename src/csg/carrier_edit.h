@@ -10,9 +10,9 @@
 
 #include "csg/carrier.h"
 
-/* The carriers of before the edit, and its leaves. */
-struct csg_carriers_before {
-    struct csg_carriers *carriers;
+/* What an edit starts from. */
+struct csg_before {
+    const struct csgcast_scene *scene;     /* with its leaves as they are now */
     const uint32_t *changed;               /* by leaf: 0, or the place + 1 of its shape in shapes */
     const struct csg_shape *const *shapes; /* as they were */
 };
@@ -23,6 +23,6 @@ struct csg_carriers_before {
  * not do they are created. NULL: out of memory.
  */
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
-                                       const struct csg_carriers_before *before);
+                                       const struct csg_before *before);
 
 #endif

@@ -203,7 +203,7 @@ static void fill_boxes_of_leaves(void *user, size_t chunk)
 }
 
 /* Everything that follows asks for them, again and again. */
-static void fill_leaf_boxes(struct csgcast_scene *scene, const struct csg_carriers_before *before)
+static void fill_leaf_boxes(struct csgcast_scene *scene, const struct csg_before *before)
 {
     for (size_t i = 0; i < scene->num_leaves && before; i++)
         if (before->changed[i])
@@ -214,7 +214,7 @@ static void fill_leaf_boxes(struct csgcast_scene *scene, const struct csg_carrie
                  scene);
 }
 
-static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
+static bool finish(struct csgcast_scene *scene, const struct csg_before *before)
 {
     fill_leaf_boxes(scene, before);
     csg_sort_wholes(scene);
@@ -238,7 +238,7 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     if (!scene->carriers || !csg_framing_finish(scene) || !csg_distribute(scene))
         return false;
     scene->plan = csg_plan_create(scene);
-    scene->sharpness = csg_sharpness_create(scene);
+    scene->sharpness = csg_sharpness_create(scene, before);
     if (!scene->sharpness || !scene->plan)
         return false;
     scene->crowd = csg_crowd_create(scene);
@@ -249,7 +249,7 @@ static bool finish(struct csgcast_scene *scene, const struct csg_carriers_before
     return true;
 }
 
-bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_carriers_before *before)
+bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_before *before)
 {
     const double start = csg_clock_ms();
     const bool ok = finish(scene, before) || csg_log_memory(&scene->log);

@@ -47,7 +47,7 @@ struct csg_whole {
 
 struct csg_objects;
 struct csg_carriers;
-struct csg_carriers_before;
+struct csg_before;
 struct csg_cells_store;
 struct csg_crowd;
 struct csg_edits;
@@ -98,6 +98,6 @@ void csg_scene_drop_derived(struct csgcast_scene *scene);
  * immutable. leaves[] with an empty shape must not occur, but for those marked is_empty: they are
  * left out while building. before: of an edit, see csg/carrier_edit.h; else NULL.
  */
-bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_carriers_before *before);
+bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_before *before);
 
 #endif

@@ -2,8 +2,9 @@
 #include "csg/sharpness.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-#include "csg/carrier.h"
+#include "csg/carrier_edit.h"
 #include "csg/flats.h"
 #include "csg/wall.h"
 #include "solids/quadric/eigen.h"
@@ -249,11 +250,20 @@ static bool note_stacks(struct csg_sharpness *sharp, const struct csgcast_scene 
     return ok;
 }
 
+static void clear_marks(const struct csg_node *nodes, const struct csg_object *object,
+                        uint8_t *marks)
+{
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF)
+            marks[nodes[i].leaf] = 0;
+}
+
 static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
                         const struct csg_object *object, struct surfaces *surfaces, uint8_t *marks)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
     surfaces->planes.all.num = surfaces->quadrics.num = 0;
+    clear_marks(nodes, object, marks); /* of another object with the same leaves */
     if (!note_stacks(sharp, scene, object, marks))
         return false;
     for (uint32_t i = object->begin; i < object->end; i++) {
@@ -273,18 +283,87 @@ static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene 
                           radius, sharp);
 }
 
+/* ---- objects that an edit has not changed ---------------------------------------------------- */
+
+static bool is_same_node(const struct csg_node *a, uint32_t a_begin, const struct csg_node *b,
+                         uint32_t b_begin)
+{
+    return a->op == b->op && a->negated == b->negated && a->spare == b->spare &&
+           a->leaf == b->leaf && a->end - a_begin == b->end - b_begin;
+}
+
+static bool is_same_box(const struct csg_box *a, const struct csg_box *b)
+{
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* The same leaf, on the same carriers, of which as much can be seen. */
+static bool is_kept(const struct csgcast_scene *scene, const struct csgcast_scene *old,
+                    uint32_t leaf)
+{
+    const uint32_t quadric = scene->carriers->quadric_faces[leaf].carrier;
+    return !scene->carriers->renewed[leaf] &&
+           (quadric == CSG_NO_CARRIER || is_same_box(&scene->carriers->quadric_boxes[quadric],
+                                                     &old->carriers->quadric_boxes[quadric]));
+}
+
+static bool is_same_object(const struct csgcast_scene *scene, const struct csg_object *object,
+                           const struct csgcast_scene *old, const struct csg_object *other)
+{
+    const struct csg_node *a = &scene->trees[object->layer].data[object->begin];
+    const struct csg_node *b = &old->trees[other->layer].data[other->begin];
+    if (object->layer != other->layer || object->end - object->begin != other->end - other->begin ||
+        !is_same_box(&object->box, &other->box))
+        return false;
+    for (uint32_t i = 0; i < object->end - object->begin; i++)
+        if (!is_same_node(&a[i], object->begin, &b[i], other->begin) ||
+            (a[i].op == CSG_LEAF && !a[i].spare && !is_kept(scene, old, a[i].leaf)))
+            return false;
+    return true;
+}
+
+/* Layers by layers, in the order of the file. */
+static uint64_t place_of(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *nodes = scene->trees[object->layer].data;
+    uint32_t i = object->begin;
+    while (i + 1 < object->end && nodes[i].op != CSG_LEAF)
+        i++;
+    return (uint64_t)object->layer << 32 | nodes[i].leaf;
+}
+
+/* The old object that begins where the new one does, from *at on. */
+static const struct csg_sharpness *find_kept(const struct csgcast_scene *scene,
+                                             const struct csg_object *object,
+                                             const struct csgcast_scene *old, size_t *at)
+{
+    const struct csg_objects *others = old->objects;
+    while (*at < others->num && place_of(old, &others->data[*at]) < place_of(scene, object))
+        ++*at;
+    return *at < others->num && is_same_object(scene, object, old, &others->data[*at])
+               ? &old->sharpness[*at]
+               : NULL;
+}
+
+/* ---- all ------------------------------------------------------------------------------------ */
+
 static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
 
-struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene)
+struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene,
+                                           const struct csg_before *before)
 {
+    const struct csgcast_scene *old = before && scene->carriers->renewed ? before->scene : NULL;
     const size_t num = scene->objects->num;
+    size_t at = 0;
     struct csg_sharpness *sharp = malloc((num + 1) * sizeof *sharp);
     struct surfaces surfaces = {.planes = {.all = {0}}};
     uint8_t *marks = calloc(scene->num_leaves + 1, 1);
     bool ok = sharp && marks;
     for (size_t i = 0; i < num && ok; i++) {
-        sharp[i] = blunt;
-        ok = note_object(&sharp[i], scene, &scene->objects->data[i], &surfaces, marks);
+        const struct csg_object *object = &scene->objects->data[i];
+        const struct csg_sharpness *kept = old ? find_kept(scene, object, old, &at) : NULL;
+        sharp[i] = kept ? *kept : blunt;
+        ok = kept || note_object(&sharp[i], scene, object, &surfaces, marks);
     }
     free(marks);
     csg_flats_finish(&surfaces.planes);

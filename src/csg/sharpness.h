@@ -12,6 +12,8 @@
 
 #include "csg/object.h"
 
+struct csg_before;
+
 enum csg_fineness {
     CSG_FINE_THICKNESS, /* of a solid: the least height of its box */
     CSG_FINE_CURVATURE, /* least radius of curvature of a quadric */
@@ -37,8 +39,10 @@ struct csg_sharpness {
  * like it are near: with all, in objects of that size. */
 #define CSG_FINE_NEIGHBOURS 64
 
-/* One for each object. NULL: out of memory. */
-struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene);
+/* One for each object. before: of an edit, or NULL: what has not changed since is taken from there,
+ * which makes no difference. NULL: out of memory. */
+struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene,
+                                           const struct csg_before *before);
 
 /* The value, where it is the least. */
 void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,

@@ -61,7 +61,7 @@ static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edit
 
 bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes)
 {
-    const struct csg_carriers_before before = {scene->carriers, scene->edits->patches, shapes};
+    const struct csg_before before = {scene, scene->edits->patches, shapes};
     struct csgcast_scene next = *scene;
     next.objects = NULL;
     next.carriers = NULL;

@@ -12,6 +12,7 @@
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/scene.h"
+#include "csg/sharpness.h"
 
 #define NUM_LEAVES 120
 #define NUM_EDITS 60
@@ -125,7 +126,7 @@ static void mark_drawn(const struct csgcast_scene *scene, bool *drawn)
     }
 }
 
-/* Planes of carriers differ, so faces with one plane have one carrier. */
+/* Planes of carriers differ, so faces with one plane have one carrier. What follows of them. */
 static void compare(const struct csgcast_scene *scene, int edit)
 {
     const struct csg_carriers *a = scene->carriers;
@@ -153,6 +154,12 @@ static void compare(const struct csgcast_scene *scene, int edit)
           a->num_planes - a->num_unused_planes, a->num_quadrics - a->num_unused_quadrics,
           b->num_planes, b->num_quadrics);
     csg_carriers_destroy(b);
+    struct csg_sharpness *sharpness = csg_sharpness_create(scene, NULL);
+    for (size_t i = 0; i < scene->objects->num && sharpness; i++)
+        CHECK(memcmp(&sharpness[i], &scene->sharpness[i], sizeof *sharpness) == 0,
+              "edit %d: object %zu is as fine as another", edit, i);
+    CHECK(sharpness != NULL, "out of memory");
+    free(sharpness);
 }
 
 static size_t num_kept;
@@ -188,6 +195,7 @@ int main(int argc, char **argv)
     const int num_scenes = argc > 1 ? atoi(argv[1]) : NUM_SCENES;
     for (int seed = 1; seed <= num_scenes; seed++)
         check((uint64_t)seed);
-    CHECK(num_kept > (size_t)(num_scenes * NUM_EDITS / 2), "only %zu edits were followed", num_kept);
+    CHECK(num_kept > (size_t)(num_scenes * NUM_EDITS / 2), "only %zu edits were followed",
+          num_kept);
     return num_failed != 0;
 }
