@@ -70,6 +70,19 @@ static bool has_plane(const struct csg_shape *shape, const struct csg_plane *pla
     return false;
 }
 
+/* Triangles that a face is cut into lie on one plane to the last bit; it is tested once. */
+static bool was_tested(const struct csg_shape *shape, const struct csg_plane *plane)
+{
+    for (size_t i = 0; i < shape->num_planes; i++) {
+        const struct csg_vec3 n = shape->planes[i].normal;
+        const double s = csg_dot(n, plane->normal) < 0 ? -1 : 1;
+        if (plane->normal.x == s * n.x && plane->normal.y == s * n.y &&
+            plane->normal.z == s * n.z && plane->offset == s * shape->planes[i].offset)
+            return true;
+    }
+    return false;
+}
+
 static struct csg_box mesh_box(const struct csg_mesh *mesh)
 {
     struct csg_box box = csg_box_empty;
@@ -85,7 +98,7 @@ static bool fill_convex(const struct csg_mesh *mesh, double near, struct csg_sha
     struct csg_plane plane;
     for (size_t i = 0; i < mesh->faces.num; i++) {
         double lo = 0, hi = 0;
-        if (!csg_mesh_plane(mesh, &mesh->faces.data[i], &plane))
+        if (!csg_mesh_plane(mesh, &mesh->faces.data[i], &plane) || was_tested(shape, &plane))
             continue;
         for (size_t j = 0; j < mesh->corners.num; j++) {
             const double d =
