@@ -19,8 +19,8 @@
  * where a tile is empty. In pixels. */
 #define SURFACE_TILE_SIZE 64
 
-/* Solids of many planes are cut into tiles, however few they are: of a tile's planes few can be its
- * entry or exit. All of them are asked for each tile, so these are no smaller than pays (measured). */
+/* Solids of many planes are cut into tiles, however few they are: few planes can be entry or exit
+ * in a tile. All of them are asked for each tile, so these are no smaller than pays (measured). */
 #define MANY_PLANES 64
 #define VERY_MANY_PLANES 1024
 #define PLANES_TILE_SIZE 32
