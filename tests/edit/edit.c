@@ -33,6 +33,7 @@ struct bench {
 };
 
 static size_t num_messages;
+static const char *forced; /* variant; NULL: none */
 static char last_message[512];
 
 static void count_message(void *user, enum csgcast_log_level level, enum csgcast_message id,
@@ -58,7 +59,8 @@ static struct csgcast_scene *parse(const char *text, bool editable)
 static void draw_view(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                       const struct csgcast_camera *camera, struct picture *picture)
 {
-    const struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = *camera};
+    const struct csgcast_view view = {
+        .width = SIZE, .height = SIZE, .camera = *camera, .variant = forced};
     const struct csgcast_image image = {
         .rgba = picture->rgba, .z = picture->z, .normal = picture->normal, .id = picture->id};
     CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
@@ -123,6 +125,35 @@ static void compare(struct bench *bench, const struct csgcast_scene *scene,
     if (with_id)
         compare_info(scene, fresh, what);
     csgcast_scene_destroy(fresh);
+}
+
+/* Many edits of one scene, each leaf also far away, large or gone for a while, every few of them
+ * drawn by the next variant. */
+static void check_series(struct bench *bench, uint64_t seed)
+{
+    static struct model model;
+    size_t name = 0;
+    model_init(&model, seed, 24);
+    for (int i = 0; i < model.num_leaves; i++)
+        model.leaves[i].color[0] = -1;
+    model_print(&model, bench->text);
+    struct csgcast_scene *scene = parse(bench->text, true);
+    for (int i = 0; i < 8 * NUM_EDITS; i++) {
+        const size_t leaf = (size_t)model_random(&model, 0, model.num_leaves);
+        struct model_leaf *own = &model.leaves[leaf];
+        model_random_matrix(&model, own->matrix);
+        own->matrix[3] += i % 7 == 3 ? 300 : 0;
+        for (int j = 0; j < 3 && i % 7 == 5; j++)
+            own->matrix[5 * j] *= 20;
+        CHECK(csgcast_scene_set_matrix(scene, leaf, own->matrix), "%s", last_message);
+        if (i % 4)
+            continue;
+        forced = csgcast_variant_name(name++);
+        name = forced ? name : 0;
+        compare(bench, scene, &model, forced ? forced : "auto", true);
+    }
+    forced = NULL;
+    csgcast_scene_destroy(scene);
 }
 
 /* One random change, made in the model and in the scene. */
@@ -455,6 +486,8 @@ int main(int argc, char **argv)
         check_random(&bench, seed + (unsigned)i, 3 + 5 * (i % 10), i % 2);
     for (int i = 0; i < num_scenes; i++)
         check_programs(&bench, seed + (unsigned)i, 3 + 5 * (i % 10));
+    for (int i = 0; i < num_scenes / 5; i++)
+        check_series(&bench, seed + 100 + (unsigned)i);
     check_batch(&bench);
     check_empty(&bench);
     check_getters(&bench);
