@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/chooser.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "crowd/crowd.h"
@@ -11,11 +10,6 @@
  * leaves out most of the solids, but takes as long to make as some hundred pixels. */
 #define MANY_STEPS 10
 #define MAX_STEP_PIXELS 3e5
-
-/* The same for fewer steps where tiles are chains, but in scenes that are edited, for which another
- * set of programs had to be there. */
-#define FEW_STEPS 4
-#define MAX_FEW_STEP_PIXELS 2e6
 
 struct csg_chooser {
     struct csgcast_renderer *renderer;
@@ -41,18 +35,10 @@ static struct csg_structure structure_of(const struct csg_request *request, uint
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-/* A small structure is drawn in one piece only where its steps times pixels are fewer. */
-static double max_step_pixels(const struct csg_request *request,
-                              const struct csg_structure *structure)
+/* Whether a small structure is drawn in one piece only where it covers few pixels. */
+static bool may_be_tiled(const struct csg_request *request, const struct csg_structure *structure)
 {
-    if (request->resolver >= 0 || request->textbook)
-        return INFINITY;
-    if (structure->num > MANY_STEPS)
-        return MAX_STEP_PIXELS;
-    return structure->num >= FEW_STEPS && csg_structure_is_flat(structure) &&
-                   !request->scene->keeps_structure
-               ? MAX_FEW_STEP_PIXELS
-               : INFINITY;
+    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
 }
 
 bool csg_draws_whole(size_t object, double area, const void *user)
@@ -66,7 +52,7 @@ bool csg_draws_whole(size_t object, double area, const void *user)
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
     return csg_structure_is_small(&structure) &&
-           (double)structure.num * area <= max_step_pixels(request, &structure);
+           (!may_be_tiled(request, &structure) || (double)structure.num * area <= MAX_STEP_PIXELS);
 }
 
 static int frame_features(const struct csg_chooser *chooser)
@@ -316,7 +302,7 @@ static bool prepare_whole(struct csg_chooser *chooser, const struct csg_draw *dr
     chooser->prepared_whole = draw->object + 1;
     const struct csg_structure structure = structure_of(request, draw->object);
     if (request->shared || request->scene->objects->data[draw->object].crowded ||
-        max_step_pixels(request, &structure) == INFINITY || !csg_structure_is_small(&structure))
+        !may_be_tiled(request, &structure) || !csg_structure_is_small(&structure))
         return true;
     return prepare_tiles(chooser) &&
            (!has_room(chooser, &structure, draw->stiff) ||
