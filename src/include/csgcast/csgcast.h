@@ -213,9 +213,10 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * again, to the last bit; what follows from them (bounds, what is left out, coincident faces) is
  * made anew, also what had been left out before. Renderers keep their programs: a frame after an
  * edit uploads bytes and compiles nothing, unless a solid got another number of faces (a polygon's
- * $fn) or turned translucent; a view of it may be one that needs another program, as a moved
- * camera's may; and where the load had left solids of small objects out by their boxes, the first
- * edit brings them back to stay (csgcast_scene_params.editable: from the start).
+ * $fn) or turned translucent, or an object shows that did not and has a structure of its own; a
+ * view of it may be one that needs another program, as a moved camera's may; and where the load had
+ * left solids of small objects out by their boxes, the first edit brings them back to stay
+ * (csgcast_scene_params.editable: from the start).
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
  * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
