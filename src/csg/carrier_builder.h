@@ -71,6 +71,9 @@ void csg_carrier_builder_destroy(struct csg_carrier_builder *builder);
 /* Room for the faces of all leaves; none has a carrier. false: out of memory. */
 bool csg_carriers_allocate_faces(struct csg_carrier_builder *builder);
 
+/* Marks the leaves that get carriers: those that objects use. A leaf can be in two layers. */
+void csg_carrier_mark_wanted(const struct csgcast_scene *scene, bool *wanted);
+
 /* Fills leaves, in the order of their ranks, and wanted. false: out of memory. */
 bool csg_carrier_rank_leaves(struct csg_carrier_builder *builder);
 

@@ -424,18 +424,6 @@ static bool has_room(struct edit *edit)
     return num > 1 && csg_length(csg_sub(all.hi, all.lo)) * MOST_ROOM > builder->radius;
 }
 
-static void mark_wanted(struct edit *edit)
-{
-    const struct csgcast_scene *scene = edit->scene;
-    for (size_t i = 0; i < scene->objects->num; i++) {
-        const struct csg_object *object = &scene->objects->data[i];
-        const struct csg_node *nodes = scene->trees[object->layer].data;
-        for (uint32_t j = object->begin; j < object->end; j++)
-            if (nodes[j].op == CSG_LEAF && !nodes[j].spare)
-                edit->wanted[nodes[j].leaf] = true;
-    }
-}
-
 static void finish(struct edit *edit)
 {
     for (int kind = 0; kind < NUM_KINDS; kind++) {
@@ -476,7 +464,7 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
     edit.wanted = calloc(scene->num_leaves + 1, sizeof *edit.wanted);
     if (!edit.wanted)
         return NULL;
-    mark_wanted(&edit);
+    csg_carrier_mark_wanted(scene, edit.wanted);
     struct csg_carriers *carriers =
         has_room(&edit) ? make(&edit) : csg_carriers_create(scene, true);
     finish(&edit);

@@ -65,16 +65,14 @@ static void sort(struct csg_carrier_builder *builder, const uint16_t *sizes)
     builder->leaves.num = sum;
 }
 
-/* A leaf can be in two layers. */
-static void mark_wanted(const struct csg_carrier_builder *builder)
+void csg_carrier_mark_wanted(const struct csgcast_scene *scene, bool *wanted)
 {
-    const struct csgcast_scene *scene = builder->scene;
     for (size_t i = 0; i < scene->objects->num; i++) {
         const struct csg_object *object = &scene->objects->data[i];
         const struct csg_node *nodes = scene->trees[object->layer].data;
         for (uint32_t j = object->begin; j < object->end; j++)
             if (nodes[j].op == CSG_LEAF && !nodes[j].spare)
-                builder->wanted[nodes[j].leaf] = true;
+                wanted[nodes[j].leaf] = true;
     }
 }
 
@@ -85,7 +83,7 @@ bool csg_carrier_rank_leaves(struct csg_carrier_builder *builder)
     builder->wanted = calloc(num + 1, sizeof *builder->wanted);
     const bool ok = sizing.sizes && builder->wanted && csg_array_reserve(&builder->leaves, num + 1);
     if (ok) {
-        mark_wanted(builder);
+        csg_carrier_mark_wanted(builder->scene, builder->wanted);
         csg_parallel(builder->scene->num_threads, (num + CHUNK - 1) / CHUNK, size_chunk, &sizing);
         sort(builder, sizing.sizes);
     }

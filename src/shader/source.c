@@ -144,15 +144,6 @@ bool csg_structure_is_small(const struct csg_structure *structure)
     return true;
 }
 
-bool csg_structure_is_flat(const struct csg_structure *structure)
-{
-    for (size_t i = 0; i < structure->num; i++)
-        if (structure->steps[i].flags & (CSG_RECORD_GAP | CSG_RECORD_POP) ||
-            !(structure->steps[i].flags & (CSG_RECORD_START | CSG_RECORD_AND)))
-            return false;
-    return true;
-}
-
 static void add_preamble(struct csg_text *text, int features)
 {
     csg_text_add(text, "#version 330 core\n");

@@ -101,9 +101,6 @@ int csg_structure_features(const struct csg_structure *structure);
 size_t csg_structure_crossings(const struct csg_structure *structure);
 bool csg_structure_is_small(const struct csg_structure *structure);
 
-/* Solids and complements, all convex, that must all be true. */
-bool csg_structure_is_flat(const struct csg_structure *structure);
-
 /* The stages of a geometry program. Equal structures give equal texts: together they are the key
  * under which programs are cached. NULL where memory ran out. */
 struct csg_stages {

@@ -273,10 +273,20 @@ static void add_flat_search(struct csg_text *text, const struct csg_structure *s
     csg_text_add_passing(text, "s%zu.key", holes, num);
 }
 
+/* Solids and complements, all convex, that must all be true. */
+static bool is_flat(const struct csg_structure *structure)
+{
+    for (size_t i = 0; i < structure->num; i++)
+        if (structure->steps[i].flags & (CSG_RECORD_GAP | CSG_RECORD_POP) ||
+            !(structure->steps[i].flags & (CSG_RECORD_START | CSG_RECORD_AND)))
+            return false;
+    return true;
+}
+
 static void add_search(struct csg_text *text, const struct csg_structure *structure,
                        const struct leaf_code *leaves)
 {
-    if (csg_structure_is_flat(structure))
+    if (is_flat(structure))
         add_flat_search(text, structure);
     else
         add_loop(text, structure, leaves);
@@ -324,7 +334,7 @@ static void add_flat_change(struct csg_text *text, const struct csg_structure *s
 static void add_change(struct csg_text *text, const struct csg_structure *structure,
                        const struct leaf_code *leaves)
 {
-    if (csg_structure_is_flat(structure)) {
+    if (is_flat(structure)) {
         add_flat_change(text, structure, leaves);
         return;
     }
