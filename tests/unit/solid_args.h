@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "solids/solid.h"
 
 #define MAX_VALUES 64
@@ -101,19 +102,6 @@ static enum csg_read_result read_solid(const char *kind, const char *args,
                                        .column = 5,
                                        .node = kind};
     return csg_solids[found]->read(&read_args, shape);
-}
-
-/* 0 to 1, the same on every machine. */
-static inline double random_unit(void)
-{
-    static unsigned long long state = 42;
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
-
-static inline double random_between(double lo, double hi)
-{
-    return lo + (hi - lo) * random_unit();
 }
 
 static inline const double *components(const struct csg_vec3 *v)

@@ -3,33 +3,29 @@
  * Balls by the row cover the pixels that they cover one by one, from near and far and in parallel;
  * which are too close to the eye for that is said of each.
  */
+#define DICE_SEED 5
+
 #include <stdio.h>
 
 #include "check.h"
+#include "dice.h"
 #include "crowd/balls.h"
 #include "pack/ball.h"
 
 enum { num_rows = 300, width = 640, height = 200 };
 
-static unsigned long long state = 5;
-
-static double between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
-
 static struct csg_screen random_screen(void)
 {
-    const bool orthographic = between(0, 1) < 0.3;
-    const double half = orthographic ? between(1, 9) : between(0.1, 1);
-    const struct csgcast_frustum frustum = {.eye = {between(-2, 2), -10, between(-2, 2)},
-                                            .right = {1, 0, 0},
-                                            .up = {0, 0, 1},
-                                            .forward = {0, 1, 0},
-                                            .half_width = half,
-                                            .half_height = half * height / width,
-                                            .orthographic = orthographic};
+    const bool orthographic = random_between(0, 1) < 0.3;
+    const double half = orthographic ? random_between(1, 9) : random_between(0.1, 1);
+    const struct csgcast_frustum frustum = {
+        .eye = {random_between(-2, 2), -10, random_between(-2, 2)},
+        .right = {1, 0, 0},
+        .up = {0, 0, 1},
+        .forward = {0, 1, 0},
+        .half_width = half,
+        .half_height = half * height / width,
+        .orthographic = orthographic};
     const struct csg_box box = {{-5, -5, -5}, {5, 5, 5}};
     struct csg_screen screen;
     csg_screen_init(&screen, &frustum, width, height, &box, true);
@@ -49,8 +45,7 @@ static bool check_ball(const struct csg_camera *camera, const struct csg_seen_ba
 {
     struct csg_footprint one;
     const bool shows = csg_outline_project(camera, CSG_OUTLINE_BALL, NULL, ball, &one);
-    const bool shown =
-        prints->lo[0][i] <= prints->hi[0][i] && prints->lo[1][i] <= prints->hi[1][i];
+    const bool shown = prints->lo[0][i] <= prints->hi[0][i] && prints->lo[1][i] <= prints->hi[1][i];
     CHECK(shows == shown, "ball %zu: %d and %d", i, shows, shown);
     for (int axis = 0; axis < 2 && shows && shown; axis++)
         CHECK(one.lo[axis] == prints->lo[axis][i] && one.hi[axis] == prints->hi[axis][i],
@@ -72,7 +67,7 @@ int main(void)
         struct csg_ball_prints prints;
         for (size_t i = 0; i < num; i++)
             for (int j = 0; j < 4; j++)
-                at[j][i] = j < 3 ? between(-11, 11) : exp(between(-7, 1));
+                at[j][i] = j < 3 ? random_between(-11, 11) : exp(random_between(-7, 1));
         csg_balls_project(&camera, at[0], at[1], at[2], at[3], num, &prints);
         for (size_t i = 0; i < num; i++) {
             const struct csg_seen_ball ball =

@@ -3,24 +3,19 @@
  * A ray that leaves out subtrees by their boxes meets the same leaf at the same place as one that
  * asks all: random trees with unbounded solids and complements, from outside and inside.
  */
+#define DICE_SEED 11
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "csg/scene.h"
 #include "reference/bounds.h"
 #include "reference/reference.h"
 
 enum { NUM_SCENES = 60, NUM_RAYS = 1500, ROOM = 1 << 19 };
-
-static unsigned long long state = 11;
-
-static double between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 struct text {
     char data[ROOM];
@@ -38,12 +33,12 @@ static void put_solid(struct text *text)
                                          "cylinder(h = 5, r1 = 2, r2 = 1);",
                                          "sphere(r = 3, $fn = 7);"};
     char line[200];
-    const double a = between(0, 6.28), c = cos(a), s = sin(a);
+    const double a = random_between(0, 6.28), c = cos(a), s = sin(a);
     snprintf(line, sizeof line, "multmatrix([[%g,%g,0,%g],[%g,%g,0,%g],[0,0,1,%g],[0,0,0,1]])", c,
-             -s, between(-9, 9), s, c, between(-9, 9), between(-9, 9));
+             -s, random_between(-9, 9), s, c, random_between(-9, 9), random_between(-9, 9));
     put(text, line);
-    put(text, between(0, 1) < 0.05 ? "halfspace(normal = [0.3, 0.5, 1], offset = 4);"
-                                   : solids[(int)between(0, 4)]);
+    put(text, random_between(0, 1) < 0.05 ? "halfspace(normal = [0.3, 0.5, 1], offset = 4);"
+                                          : solids[(int)random_between(0, 4)]);
 }
 
 /* A few levels deep. */
@@ -55,21 +50,22 @@ static void put_tree(struct text *text, int depth)
         put_solid(text);
         return;
     }
-    put(text, ops[(int)between(0, 5)]);
-    const bool is_wide = depth == 1 && between(0, 1) < 0.1;
-    for (int i = (int)(is_wide ? between(40, 90) : between(2, 5)); i > 0; i--)
-        put_tree(text, between(0, 1) < 0.3 ? 0 : depth - 1);
+    put(text, ops[(int)random_between(0, 5)]);
+    const bool is_wide = depth == 1 && random_between(0, 1) < 0.1;
+    for (int i = (int)(is_wide ? random_between(40, 90) : random_between(2, 5)); i > 0; i--)
+        put_tree(text, random_between(0, 1) < 0.3 ? 0 : depth - 1);
     put(text, "}\n");
 }
 
 static struct csg_ray random_ray(void)
 {
-    const double far = between(0, 1) < 0.3 ? 6 : 40;
+    const double far = random_between(0, 1) < 0.3 ? 6 : 40;
     const struct csg_vec3 org =
-        csg_vec3(between(-far, far), between(-far, far), between(-far, far));
-    const struct csg_vec3 to = csg_vec3(between(-8, 8), between(-8, 8), between(-8, 8));
+        csg_vec3(random_between(-far, far), random_between(-far, far), random_between(-far, far));
+    const struct csg_vec3 to =
+        csg_vec3(random_between(-8, 8), random_between(-8, 8), random_between(-8, 8));
     struct csg_vec3 dir = csg_sub(to, org);
-    if (between(0, 1) < 0.1)
+    if (random_between(0, 1) < 0.1)
         dir = csg_vec3(0, 0, -1);
     return (struct csg_ray){org, dir, 0};
 }

@@ -4,20 +4,15 @@
  * nearly as Delaunay's, the same whether the face is seen from the front or mirrored from behind,
  * and those that OpenSCAD 2021.01 was seen to make, also of faces that cross themselves.
  */
+#define DICE_SEED 11
+
 #include <stdlib.h>
 
 #include "check.h"
+#include "dice.h"
 #include "polyhedra/cut.h"
 
 enum { max_corners = 12, num_faces = 3000 };
-
-static unsigned long long state = 11;
-
-static double random_between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 /* A star around the z axis that is not plane; on a grid every other time. */
 static uint32_t random_face(struct csg_vec3 *points, int round)

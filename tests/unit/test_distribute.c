@@ -3,6 +3,8 @@
  * Sections: an object cut out of a wide union becomes many objects, and they hold the same points.
  * What shall stay one object stays one.
  */
+#define DICE_SEED 5
+
 #include "csg/distribute.h"
 
 #include <stdio.h>
@@ -10,17 +12,10 @@
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "csg/membership.h"
 
 enum { NUM_SOLIDS = 60, NUM_POINTS = 20000, MAX_TEXT = 1 << 16 };
-
-static unsigned long long state = 5;
-
-static double random_between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 static void add(char *text, const char *more)
 {
@@ -70,8 +65,8 @@ static void check_same(const char *op, const char *solids, const char *cut)
     CHECK(whole->objects->num > NUM_SOLIDS / 4, "%s with %s: %zu objects", op, cut,
           whole->objects->num);
     for (int i = 0; i < NUM_POINTS; i++) {
-        const struct csg_vec3 point = csg_vec3(
-            random_between(-12, 12), random_between(-12, 12), random_between(-12, 12));
+        const struct csg_vec3 point =
+            csg_vec3(random_between(-12, 12), random_between(-12, 12), random_between(-12, 12));
         const bool in = holds(whole, point);
         num_in += in;
         CHECK(in == (holds(all, point) && holds(other, point) != is_difference),

@@ -4,18 +4,23 @@
  * spheres with whole numbers as coordinates have as many planes and quadrics as there are different
  * numbers, and equal numbers have one carrier.
  */
+#define DICE_SEED 5
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "csg/carrier.h"
 #include "csg/scene.h"
-#include "random_text.h"
 
 enum { NUM_CUBES = 4000, NUM_SPHERES = 3000, RANGE = 30000, ROOM = 1 << 20 };
 
-static unsigned long long state = 5;
+struct text {
+    char *data;
+    size_t num;
+};
 
 static void put(struct text *text, const unsigned at[3], const char *solid)
 {
@@ -29,12 +34,12 @@ static size_t put_cubes(struct text *text, bool (*used)[RANGE + 100])
 {
     size_t num = 0;
     for (int i = 0; i < NUM_CUBES; i++) {
-        const unsigned size = 1 + random_below(&state, 99);
+        const unsigned size = 1 + random_below(99);
         unsigned at[3];
         char solid[32];
         snprintf(solid, sizeof solid, "cube(%u);", size);
         for (int axis = 0; axis < 3; axis++) {
-            at[axis] = random_below(&state, RANGE);
+            at[axis] = random_below(RANGE);
             num += (used[axis][at[axis]] ? 0u : 1u) + (used[axis][at[axis] + size] ? 0u : 1u);
             used[axis][at[axis]] = used[axis][at[axis] + size] = true;
         }
@@ -52,7 +57,7 @@ static size_t put_spheres(struct text *text)
         char solid[32];
         if (i % 10 != 9) {
             for (int axis = 0; axis < 3; axis++)
-                last[axis] = random_below(&state, RANGE);
+                last[axis] = random_below(RANGE);
             last[3] = (unsigned)i; /* so that no other is as large */
             num++;
         }

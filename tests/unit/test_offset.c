@@ -4,23 +4,18 @@
  * that cross themselves; and outlines have no corners that are none, however many levels cut their
  * edges.
  */
+#define DICE_SEED 7
+
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "check.h"
+#include "dice.h"
 #include "plane/offset.h"
 #include "plane/outline.h"
 #include "solids/facets.h"
 
 enum { num_polygons = 300, num_points = 200, num_facets = 64, num_teeth = 300 };
-
-static unsigned long long state = 7;
-
-static double between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 static void add_point(struct csg_drawing *drawing, double x, double y)
 {
@@ -38,10 +33,10 @@ static void add_random(struct csg_drawing *drawing)
 {
     if (!csg_drawing_add_figure(drawing, 0))
         abort();
-    for (int contours = between(0, 1) < 0.5 ? 1 : 2; contours > 0; contours--) {
+    for (int contours = random_between(0, 1) < 0.5 ? 1 : 2; contours > 0; contours--) {
         add_contour(drawing);
-        for (int i = (int)between(3, 9); i > 0; i--)
-            add_point(drawing, between(-10, 10), between(-10, 10));
+        for (int i = (int)random_between(3, 9); i > 0; i--)
+            add_point(drawing, random_between(-10, 10), random_between(-10, 10));
     }
 }
 
@@ -83,18 +78,18 @@ static double sagitta(double size)
 static void check_offset(int seed)
 {
     const struct csg_offset offset = {
-        .distance = between(-1.5, 3), .join = CSG_JOIN_ROUND, .num = num_facets};
+        .distance = random_between(-1.5, 3), .join = CSG_JOIN_ROUND, .num = num_facets};
     struct csg_drawing before = {0}, after = {0};
     add_random(&before);
-    const unsigned long long kept = state;
+    const unsigned long long kept = dice;
     CHECK(csg_drawing_evaluate(&before, 0) == CSG_SWEEP_DONE, "polygon %d", seed);
     if (!csg_drawing_append_figure(&after, &before, &before.figures.data[0]))
         abort();
     CHECK(csg_drawing_offset(&after, 0, &offset) == CSG_SWEEP_DONE, "polygon %d", seed);
-    state = kept;
+    dice = kept;
     const double slack = sagitta(fabs(offset.distance)) + 1e-9;
     for (int i = 0; i < num_points; i++) {
-        const double x = between(-14, 14), y = between(-14, 14);
+        const double x = random_between(-14, 14), y = random_between(-14, 14);
         const double d = distance(&before, x, y) - offset.distance;
         if (fabs(d) > slack)
             CHECK((d < 0) == (distance(&after, x, y) < 0),
@@ -119,7 +114,7 @@ static void check_corners(double degrees)
     add_contour(&drawing);
     add_point(&drawing, -2000, 0);
     for (int i = 0; i < num_teeth; i++)
-        add_point(&drawing, i % 2 ? -1990 : -1989, 700.0 * (i + between(0, 1)) / num_teeth);
+        add_point(&drawing, i % 2 ? -1990 : -1989, 700.0 * (i + random_between(0, 1)) / num_teeth);
     add_point(&drawing, -2000, 700);
     CHECK(csg_drawing_evaluate(&drawing, 0) == CSG_SWEEP_DONE, "teeth");
     CHECK(drawing.points.num == 4 + num_teeth + 2, "%zu corners at %g degrees", drawing.points.num,

@@ -3,12 +3,15 @@
  * The rectangle and the nearest depth of a crowd's members against points all over their surface:
  * none is outside, and on each side some point comes as far.
  */
+#define DICE_SEED 3
+
 #include <csgcast/csgcast.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "crowd/crowd.h"
 #include "crowd/project.h"
 
@@ -16,14 +19,6 @@ enum { num_solids = 150, num_angles = 400, num_views = 3, size = 2000 };
 
 /* The furthest point of a circle of so many is so much of its radius short, at most. */
 #define SHORT 1e-4
-
-static unsigned long long state = 3;
-
-static double between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 /* What a point of the surface is in the solid's own space. */
 struct solid {
@@ -57,12 +52,12 @@ static struct solid random_solid(int kind)
     struct solid solid = {.kind = kind};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
-            solid.map.m[i][j] = between(-1, 1) * (j == 3 ? 4 : 1);
+            solid.map.m[i][j] = random_between(-1, 1) * (j == 3 ? 4 : 1);
     for (int i = 0; i < 3; i++)
-        solid.r[i] = between(0.1, 1);
+        solid.r[i] = random_between(0.1, 1);
     if (kind == 1)
         solid.r[0] = 0;
-    if (kind == 0 && between(0, 1) < 0.5)
+    if (kind == 0 && random_between(0, 1) < 0.5)
         solid.r[1] = solid.r[0];
     if (kind == 3) {
         solid.r[1] = solid.r[2] = solid.r[0];
@@ -75,18 +70,17 @@ static struct solid random_solid(int kind)
 
 static struct csgcast_scene *scene_of(const struct solid *solid)
 {
-    static const char *const texts[5] = {
-        "cylinder(r1 = %.17g, r2 = %.17g, h = %.17g);",
-        "cylinder(r1 = %.17g, r2 = %.17g, h = %.17g);",
-        "ellipsoid(r = [%.17g, %.17g, %.17g]);", "sphere(r = %.17g);",
-        "cube([%.17g, %.17g, %.17g]);"};
+    static const char *const texts[5] = {"cylinder(r1 = %.17g, r2 = %.17g, h = %.17g);",
+                                         "cylinder(r1 = %.17g, r2 = %.17g, h = %.17g);",
+                                         "ellipsoid(r = [%.17g, %.17g, %.17g]);",
+                                         "sphere(r = %.17g);", "cube([%.17g, %.17g, %.17g]);"};
     const double(*m)[4] = solid->map.m;
     char text[1024];
     const int num = snprintf(text, sizeof text,
                              "multmatrix([[%.17g,%.17g,%.17g,%.17g],[%.17g,%.17g,%.17g,%.17g],"
                              "[%.17g,%.17g,%.17g,%.17g],[0,0,0,1]]) ",
-                             m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2],
-                             m[1][3], m[2][0], m[2][1], m[2][2], m[2][3]);
+                             m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
+                             m[2][0], m[2][1], m[2][2], m[2][3]);
     snprintf(text + num, sizeof text - (size_t)num, texts[solid->kind], solid->r[0], solid->r[1],
              solid->r[2]);
     return csgcast_scene_parse(text, strlen(text), NULL);
@@ -152,8 +146,8 @@ static void check_view(int seed, int view, const struct solid *solid,
             away = fmax(away, csg_length(csg_sub(p, center)));
         }
     struct csg_footprint print;
-    const bool shows = csg_outline_project(&camera, crowd->classes[0].outline, crowd->numbers,
-                                           &ball, &print);
+    const bool shows =
+        csg_outline_project(&camera, crowd->classes[0].outline, crowd->numbers, &ball, &print);
     CHECK(away <= crowd->radius[0] * (1 + 1e-9), "seed %d: a point outside of its ball", seed);
     if (!shows) {
         CHECK(hi[0] < 0.5 || hi[1] < 0.5 || lo[0] > size - 0.5 || lo[1] > size - 0.5 ||

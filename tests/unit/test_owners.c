@@ -4,6 +4,8 @@
  * drawn by itself in a rectangle that holds the pixel. Small spheres, large ones, and some that
  * coincide or nearly do.
  */
+#define DICE_SEED 11
+
 #include <csgcast/csgcast.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,17 +13,10 @@
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "crowd/cull.h"
 
 enum { num_spheres = 3000, size = 200 };
-
-static unsigned long long state = 11;
-
-static double between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 static struct csgcast_scene *random_scene(void)
 {
@@ -30,12 +25,12 @@ static struct csgcast_scene *random_scene(void)
     double r = 0, x = 0, y = 0, z = 0;
     for (int i = 0; i < num_spheres; i++) {
         if (i % 20 == 9) {
-            r *= 1 + 1e-7; /* the last one, nearly */
+            r *= 1 + 1e-7;         /* the last one, nearly */
         } else if (i % 20 != 19) { /* the last one again */
-            r = i % 50 == 0 ? between(0.3, 0.6) : between(0.02, 0.15);
-            x = between(-2, 2);
-            y = between(-2, 2);
-            z = between(-2, 2);
+            r = i % 50 == 0 ? random_between(0.3, 0.6) : random_between(0.02, 0.15);
+            x = random_between(-2, 2);
+            y = random_between(-2, 2);
+            z = random_between(-2, 2);
         }
         num += (size_t)snprintf(text + num, sizeof text - num,
                                 "multmatrix([[1,0,0,%.6g],[0,1,0,%.6g],[0,0,1,%.6g],[0,0,0,1]]) "
@@ -85,8 +80,8 @@ static void cast_all(struct csg_cull *cull, struct pixel *pixels)
     for (uint32_t member = 0; member < cull->view.crowd->num; member++) {
         csg_member_terms(&cull->view, &cull->view.crowd->classes[0], member, terms);
         for (int i = 0; i < size * size; i++) {
-            const double key = key_of(terms, i % size + 0.5 - frame->at.x,
-                                      (double)(i / size) + 0.5 - frame->at.y);
+            const double key =
+                key_of(terms, i % size + 0.5 - frame->at.x, (double)(i / size) + 0.5 - frame->at.y);
             if (key < pixels[i].key)
                 pixels[i] = (struct pixel){key, member};
         }
@@ -107,8 +102,7 @@ static void check_view(const struct csgcast_scene *scene, bool orthographic)
     static struct pixel pixels[size * size];
     static const struct csg_candidate *by_member[num_spheres];
     const struct csg_frame frame = frame_of(scene, orthographic);
-    struct csg_cull cull = {.view = {scene, scene->crowd, &frame, true},
-                            .max_owners = size * size};
+    struct csg_cull cull = {.view = {scene, scene->crowd, &frame, true}, .max_owners = size * size};
     size_t num_owned = 0, num_covered = 0;
     CHECK(csg_cull_run(&cull), "no memory");
     CHECK(cull.relief.owners, "no owners");

@@ -8,19 +8,12 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "dice.h"
 #include "plane/hull.h"
 #include "plane/offset.h"
 #include "plane/outline.h"
 #include "plane/piece.h"
 #include "plane/triangulate.h"
-
-static unsigned long long state = 42;
-
-static double random_unit(void)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
 
 static int random_int(int end)
 {
@@ -187,7 +180,7 @@ static void test_random(void)
 {
     for (int seed = 0; seed < 120; seed++) {
         struct csg_drawing drawing = {0};
-        state = 1000 + (unsigned long long)seed;
+        dice = 1000 + (unsigned long long)seed;
         add_random(&drawing, 3, seed % 2 == 0);
         check_drawing(&drawing, seed);
         csg_drawing_finish(&drawing);

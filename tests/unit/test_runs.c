@@ -4,22 +4,17 @@
  * ends, twins, numbers that may be rounded; also where comments, unindented blocks and strings make
  * cuts that mean nothing.
  */
+#define DICE_SEED 5
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "scene/runs.h"
 
 #define ROOM ((size_t)4 << 20)
-
-static unsigned long long state = 5;
-
-static unsigned random_below(unsigned n)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (unsigned)(state >> 33) % n;
-}
 
 struct text {
     char *data;
@@ -43,7 +38,9 @@ static void put_mesh(struct text *text)
     put(text, "polyhedron(points = [");
     for (unsigned i = 0; i < 40; i++) {
         snprintf(line, sizeof line, "[%u, 1.2345, %u]%s", i * i, i == 39 ? kind : i,
-                 i == 39 ? "" : i % 10 == 9 ? ",\n" : ", ");
+                 i == 39       ? ""
+                 : i % 10 == 9 ? ",\n"
+                               : ", ");
         put(text, line);
     }
     put(text, "], faces = [[0, 1, 2]]);\n");

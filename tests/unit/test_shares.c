@@ -3,25 +3,30 @@
  * A large scene is read in shares, side by side; where there is something to say, by one thread. A
  * warning at its end must change nothing else: leaves and trees are the same to the last bit.
  */
+#define DICE_SEED 11
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "dice.h"
 #include "csg/scene.h"
-#include "random_text.h"
 
 enum { NUM_STATEMENTS = 40000, ROOM = 1 << 23 };
-
-static unsigned long long state = 11;
 
 #define PUT(text, ...)                                                                             \
     ((text)->num += (size_t)snprintf((text)->data + (text)->num, ROOM - (text)->num, __VA_ARGS__))
 
+struct text {
+    char *data;
+    size_t num;
+};
+
 static void put_solid(struct text *text)
 {
-    const unsigned a = random_below(&state, 9), b = 1 + random_below(&state, 9);
-    switch (random_below(&state, 4)) {
+    const unsigned a = random_below(9), b = 1 + random_below(9);
+    switch (random_below(4)) {
     case 0:
         PUT(text, "sphere(r = %u);\n", a); /* nothing where it is 0 */
         break;
@@ -40,8 +45,8 @@ static void put_opening(struct text *text)
 {
     static const char *const modifiers[60] = {"*", "#", "%"};
     static const char *const nodes[4] = {"group()", "union()", "difference()", "intersection()"};
-    const unsigned a = random_below(&state, 20);
-    const char *modifier = modifiers[random_below(&state, 60)];
+    const unsigned a = random_below(20);
+    const char *modifier = modifiers[random_below(60)];
     PUT(text, "%s", modifier ? modifier : "");
     if (a < 8)
         PUT(text, "multmatrix([[1, 0, 0, %u.23456], [0, %u, 0, 1], [0, 0, 1, 0]]) {\n", a, a + 1);
@@ -58,7 +63,7 @@ static char *make_text(void)
     int depth = 0;
     PUT(&text, "color([1, 0, 0, 1]) translate([1, 2, 3]) {\n"); /* around all shares */
     for (int i = 0; i < NUM_STATEMENTS; i++) {
-        const unsigned what = random_below(&state, 8);
+        const unsigned what = random_below(8);
         if (what < 2 && depth < 40) {
             put_opening(&text);
             depth++;
@@ -85,9 +90,8 @@ static bool same_leaf(const struct csg_leaf *a, const struct csg_leaf *b)
 {
     const struct csg_shape *x = &a->shape, *y = &b->shape;
     return a->kind == b->kind && a->line == b->line && a->column == b->column &&
-           memcmp(a->color, b->color, sizeof a->color) == 0 &&
-           x->num_planes == y->num_planes && x->has_quadric == y->has_quadric &&
-           memcmp(&x->frame, &y->frame, sizeof x->frame) == 0 &&
+           memcmp(a->color, b->color, sizeof a->color) == 0 && x->num_planes == y->num_planes &&
+           x->has_quadric == y->has_quadric && memcmp(&x->frame, &y->frame, sizeof x->frame) == 0 &&
            memcmp(&x->bounds, &y->bounds, sizeof x->bounds) == 0 && x->rounding == y->rounding;
 }
 

@@ -3,20 +3,15 @@
  * How boxes lie to leaves: where the answer is not "varies", all points of the box must agree with
  * it, for every kind of solid; and boxes small against the solid must get an answer now and then.
  */
+#define DICE_SEED 11
+
 #include <stdio.h>
 #include <string.h>
 
 #include "csg/side.h"
 #include "check.h"
+#include "dice.h"
 #include "csg/scene.h"
-
-static unsigned long long state = 11;
-
-static double random_between(double lo, double hi)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
-}
 
 static struct csg_vec3 random_point(const struct csg_box *box)
 {

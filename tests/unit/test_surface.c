@@ -4,25 +4,15 @@
  * over a closed surface must cancel on every line, also on those that go exactly through edges and
  * corners; meshes must come out closed and turned outwards however their faces were written.
  */
+#define DICE_SEED 7
+
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "check.h"
+#include "dice.h"
 #include "mesh/surface.h"
 #include "polyhedra/mesh.h"
-
-static unsigned long long state = 7;
-
-static double random_unit(void)
-{
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
-
-static double random_between(double lo, double hi)
-{
-    return lo + (hi - lo) * random_unit();
-}
 
 /* Coordinates on a coarse grid now and then, so that corners line up. */
 static struct csg_vec3 random_point(bool grid)
@@ -110,8 +100,7 @@ static void check_lines(const struct csg_surface *surface, int num, bool grid)
         struct csg_vec3 ends[2];
         for (int j = 0; j < 2; j++) {
             const struct csg_triangle *triangle =
-                &surface->triangles
-                     .data[(size_t)(random_unit() * (double)surface->triangles.num)];
+                &surface->triangles.data[(size_t)(random_unit() * (double)surface->triangles.num)];
             const struct csg_vec3 a = surface->points.data[triangle->points[0]];
             const struct csg_vec3 b = surface->points.data[triangle->points[1]];
             const double kind = random_unit();
@@ -140,7 +129,8 @@ static void check_torus(bool grid, double turned)
         const double across = sqrt(p.x * p.x + p.y * p.y) - 2,
                      r = sqrt(across * across + p.z * p.z);
         if (fabs(r - 1) > 0.05)
-            CHECK(csg_surface_winding(surface, &csg_map_identity, p) == (r < 1), "at %g %g %g", p.x, p.y, p.z);
+            CHECK(csg_surface_winding(surface, &csg_map_identity, p) == (r < 1), "at %g %g %g", p.x,
+                  p.y, p.z);
     }
     csg_shape_finish(&shape);
     csg_mesh_finish(&mesh);
@@ -162,7 +152,8 @@ static void check_map(void)
     for (int i = 0; i < 300; i++) {
         const struct csg_vec3 p = random_point(false), q = csg_map_point(&map, p);
         const int before = csg_surface_winding(shape.surface, &shape.frame, p);
-        CHECK(before == csg_surface_winding(copy.surface, &copy.frame, q), "at %g %g %g", p.x, p.y, p.z);
+        CHECK(before == csg_surface_winding(copy.surface, &copy.frame, q), "at %g %g %g", p.x, p.y,
+              p.z);
         CHECK(before == csg_surface_winding(placed, &csg_map_identity, q), "at %g %g %g", p.x, p.y,
               p.z);
         CHECK(before == csg_shape_contains(&shape, p), "at %g %g %g", p.x, p.y, p.z);
