@@ -13,14 +13,6 @@
 #define SMALL_CELL 4
 #define SMALL_BUNCHED 5
 
-static size_t count_leaves(const struct csg_tree *tree)
-{
-    size_t num = 0;
-    for (size_t i = 0; i < tree->num; i++)
-        num += tree->data[i].op == CSG_LEAF;
-    return num;
-}
-
 static uint8_t side_of(const struct csg_cell_builder *builder, uint32_t leaf,
                        const struct csg_box *around)
 {
@@ -175,7 +167,7 @@ static bool add_work(struct csg_cell_builder *builder, struct csg_work work,
     const struct csg_tree *left = &builder->room.tree;
     if (!fold(builder, &work.box, tree))
         return false;
-    const size_t num = count_leaves(left);
+    const size_t num = csg_tree_count_leaves(left);
     work.cost = (double)num * csg_box_half_area(&work.box);
     if (num <= (builder->bunched ? SMALL_BUNCHED : SMALL_CELL) || work.depth >= MAX_DEPTH)
         return put_cell(builder, &work, left);

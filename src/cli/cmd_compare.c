@@ -3,37 +3,14 @@
 /* csgcast compare: csgcast's surface against a mesh of the same scene, ray by ray. */
 
 #include "commands.h"
-#include "compare.h"
 #include "compare_mesh.h"
+#include "compare_view.h"
 #include "messages.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define DEFAULT_SIZE 384 /* pixels: four views in three columns make a picture of 1184 x 1632 */
-
-/* What is a wrong depth: OpenSCAD writes STL in float and .csg with six digits, which nested maps
- * multiply. Relative to the distance, and to the largest coordinate across the surface. */
-static const double depth_tolerance = 3e-5, rounding_tolerance = 2e-6;
-
-/* Without --camera: the scene in view from above and below, in both projections. */
-static const struct {
-    const char *label;
-    double rotate[3];
-    enum csgcast_projection projection;
-} default_views[CSG_COMPARE_MAX_VIEWS] = {
-    {"default view", {55, 0, 25}, CSGCAST_PERSPECTIVE},
-    {"from below", {125, 0, 205}, CSGCAST_PERSPECTIVE},
-    {"left, orthographic", {70, 0, 290}, CSGCAST_ORTHOGRAPHIC},
-    {"top, orthographic", {20, 10, 120}, CSGCAST_ORTHOGRAPHIC},
-};
-
-static const double default_fov = 22.5; /* degrees, as csgcast_camera's 0 */
-
-/* Facets of a pentagon deviate by 36 degrees from the circle's normal. */
-static const double same_surface_cosine = 0.7;
 
 struct run {
     const struct csg_cli_options *options;
@@ -42,10 +19,8 @@ struct run {
     struct csg_log log;
     char *text; /* of standard input; text_size bytes */
     size_t text_size;
-    struct csgcast_scene *scene, *written; /* written: with OpenSCAD's facets, NULL: not needed */
-    struct csgcast_renderer *renderer;
     struct csg_mesh_source source;
-    struct csg_caster *caster;
+    struct csg_comparer comparer;
     struct csg_compared compared;
 };
 
@@ -95,11 +70,11 @@ static bool load_scenes(struct run *run)
 {
     if (strcmp(run->options->input, "-") == 0 && !read_standard_input(run))
         return false;
-    run->scene = load(run, run->params);
-    if (!run->scene)
+    run->comparer.scene = load(run, run->params);
+    if (!run->comparer.scene)
         return false;
     struct csgcast_scene_info info;
-    csgcast_scene_get_info(run->scene, &info);
+    csgcast_scene_get_info(run->comparer.scene, &info);
     run->compared.sagitta = info.sagitta;
     run->compared.by_facets = run->options->compare.sagitta == 0;
     if (!run->compared.by_facets || run->params.facets == CSGCAST_FACETS_AS_WRITTEN)
@@ -108,8 +83,18 @@ static bool load_scenes(struct run *run)
     bool quiet = true; /* its warnings were given already */
     params.facets = CSGCAST_FACETS_AS_WRITTEN;
     params.log_user = &quiet;
-    run->written = load(run, params);
-    return run->written != NULL;
+    run->comparer.written = load(run, params);
+    return run->comparer.written != NULL;
+}
+
+static double largest_coordinate(const struct csg_box *box)
+{
+    double largest = 0;
+    for (int i = 0; i < 8 && !csg_box_is_empty(box); i++) {
+        const struct csg_vec3 p = csg_box_corner(box, i);
+        largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    }
+    return largest;
 }
 
 static bool load_mesh(struct run *run)
@@ -127,165 +112,10 @@ static bool load_mesh(struct run *run)
             0.5 * csg_length(csg_sub(run->source.soup.bounds.hi, run->source.soup.bounds.lo));
     if (!(run->compared.radius > 0))
         run->compared.radius = 1;
+    run->comparer.reach = largest_coordinate(&run->source.soup.bounds);
     run->compared.num_triangles = run->source.soup.num_triangles;
-    run->caster = module.caster_create(&run->source.soup, &run->log);
-    return run->caster != NULL;
-}
-
-/* ---- the views ------------------------------------------------------------------------------ */
-
-static double largest_coordinate(const struct csg_box *box)
-{
-    double largest = 0;
-    for (int i = 0; i < 8 && !csg_box_is_empty(box); i++) {
-        const struct csg_vec3 p = csg_box_corner(box, i);
-        largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
-    }
-    return largest;
-}
-
-static struct csgcast_view view_of(const struct run *run, int number, const char **label)
-{
-    struct csgcast_view view = run->options->view;
-    struct csgcast_camera *camera = &view.camera;
-    view.width = view.width ? view.width : DEFAULT_SIZE;
-    view.height = view.height ? view.height : DEFAULT_SIZE;
-    *label = "view";
-    if (run->compared.num_views == 1)
-        return view;
-    *label = default_views[number].label;
-    camera->kind = CSGCAST_CAMERA_GIMBAL;
-    memcpy(camera->rotate, default_views[number].rotate, sizeof camera->rotate);
-    camera->distance = 1;
-    camera->viewall = camera->autocenter = true;
-    if (camera->projection == CSGCAST_PERSPECTIVE)
-        camera->projection = default_views[number].projection;
-    return view;
-}
-
-/* How far the exact surface is from the plane of the mesh's facet there. */
-static double across(const struct csg_compared_view *view, const float *z_written, size_t i)
-{
-    const struct csg_mesh_view *mesh = &view->mesh;
-    const struct csg_mesh_ray ray = csg_frustum_ray(&mesh->frustum, mesh->width, mesh->height,
-                                                    (double)(i % (size_t)mesh->width) + 0.5,
-                                                    (double)(i / (size_t)mesh->width) + 0.5);
-    return fabs((double)view->z[i] - (double)z_written[i]) *
-           fabs(csg_dot(mesh->hits[i].normal, ray.dir));
-}
-
-/* Whether both pictures show one place of one solid there, with and without facets. */
-static bool is_same_surface(const struct run *run, const struct csg_compared_view *view,
-                            const struct csgcast_image *written, size_t i)
-{
-    struct csgcast_scene_info a, b;
-    const float *n = view->normal + 3 * i, *m = written->normal + 3 * i;
-    csgcast_scene_get_info(run->scene, &a);
-    csgcast_scene_get_info(run->written, &b);
-    return isfinite(view->z[i]) && isfinite(written->z[i]) &&
-           (a.num_leaves != b.num_leaves || (int)view->id[i] == (int)written->id[i]) &&
-           (double)(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) > same_surface_cosine;
-}
-
-static void measure_facets(const struct run *run, struct csg_compared_view *view,
-                           const struct csgcast_image *written, const struct csg_comparison *judged)
-{
-    const size_t num = (size_t)view->mesh.width * (size_t)view->mesh.height;
-    for (size_t i = 0; i < num; i++) {
-        if (view->mesh.edges[i] || judged->verdicts[i] != CSG_VERDICT_SAME ||
-            !is_same_surface(run, view, written, i))
-            continue;
-        view->facets = fmax(view->facets, across(view, written->z, i));
-    }
-}
-
-static void take_wrong(struct csg_compared_view *view, const struct csg_comparison *judged)
-{
-    const size_t num = (size_t)view->mesh.width * (size_t)view->mesh.height;
-    view->num_wrong = judged->num_off + judged->num_depth;
-    for (size_t i = 0; i < num; i++)
-        view->wrong[i] =
-            judged->verdicts[i] == CSG_VERDICT_OFF || judged->verdicts[i] == CSG_VERDICT_DEPTH;
-}
-
-/* The same view with OpenSCAD's facets: what differs from the mesh there, no facet explains. */
-static bool judge_written(struct run *run, const struct csgcast_view *view,
-                          const struct csg_compare_tolerance *tolerance,
-                          struct csg_compared_view *compared)
-{
-    const size_t num = (size_t)view->width * (size_t)view->height;
-    const struct csgcast_image image = {.z = calloc(num, sizeof(float)),
-                                        .normal = calloc(3 * num, sizeof(float)),
-                                        .id = calloc(num, sizeof(float))};
-    struct csg_comparison judged = {.verdicts = NULL};
-    const bool ok = image.z && image.normal && image.id &&
-                    csgcast_render(run->renderer, run->written, view, &image) &&
-                    csg_compare(&compared->mesh, &image, tolerance, &judged);
-    if (ok) {
-        take_wrong(compared, &judged);
-        measure_facets(run, compared, &image, &judged);
-    }
-    free(judged.verdicts);
-    free(image.z);
-    free(image.normal);
-    free(image.id);
-    return ok;
-}
-
-/* The same camera without a scene to look at: with and without facets a scene may have other
- * bounds. */
-static struct csgcast_camera fixed_camera(const struct csgcast_camera *asked,
-                                          const struct csgcast_frustum *frustum)
-{
-    struct csgcast_camera camera = *asked;
-    const double fov = asked->fov > 0 ? asked->fov : default_fov;
-    const double half = 0.5 * fov * 3.14159265358979323846 / 180;
-    camera.viewall = camera.autocenter = false;
-    camera.distance = frustum->orthographic ? frustum->half_height / tan(half) : 1;
-    if (asked->kind == CSGCAST_CAMERA_DEFAULT) {
-        camera.kind = CSGCAST_CAMERA_GIMBAL;
-        memcpy(camera.rotate, default_views[0].rotate, sizeof camera.rotate);
-    }
-    for (int i = 0; i < 3; i++) {
-        camera.eye[i] = frustum->eye[i];
-        camera.center[i] = frustum->eye[i] + camera.distance * frustum->forward[i];
-        camera.translate[i] = camera.center[i];
-    }
-    return camera;
-}
-
-static bool compare_view(struct run *run, int number)
-{
-    struct csg_compared_view *compared = &run->compared.views[number];
-    struct csgcast_view asked = view_of(run, number, &compared->label);
-    const size_t num = (size_t)asked.width * (size_t)asked.height;
-    const struct csg_compare_tolerance tolerance = {
-        .depth = depth_tolerance,
-        .rounding = rounding_tolerance * largest_coordinate(&run->source.soup.bounds),
-        .sagitta = run->options->compare.sagitta};
-    struct csgcast_frustum frustum;
-    compared->z = calloc(num, sizeof *compared->z);
-    compared->normal = calloc(3 * num, sizeof *compared->normal);
-    compared->id = calloc(num, sizeof *compared->id);
-    compared->wrong = calloc(num, 1);
-    if (!compared->z || !compared->normal || !compared->id || !compared->wrong)
-        return csg_log_memory(&run->log);
-    const struct csgcast_image image = {
-        .z = compared->z, .normal = compared->normal, .id = compared->id};
-    if (!csgcast_view_resolve(run->scene, &asked, &frustum))
-        return false;
-    asked.camera = fixed_camera(&asked.camera, &frustum);
-    if (!csgcast_view_resolve(run->scene, &asked, &frustum) ||
-        !csgcast_render(run->renderer, run->scene, &asked, &image))
-        return false;
-    if (!csg_mesh_view_init(&compared->mesh, run->caster, &frustum, asked.width, asked.height) ||
-        !csg_mesh_view_mark_edges(&compared->mesh, tolerance.sagitta) ||
-        !csg_compare(&compared->mesh, &image, &tolerance, &compared->result))
-        return csg_log_memory(&run->log);
-    if (run->written)
-        return judge_written(run, &asked, &tolerance, compared);
-    take_wrong(compared, &compared->result);
-    return true;
+    run->comparer.caster = module.caster_create(&run->source.soup, &run->log);
+    return run->comparer.caster != NULL;
 }
 
 /* ---- all together --------------------------------------------------------------------------- */
@@ -347,10 +177,10 @@ static bool compare_views(struct run *run)
     const struct csgcast_camera *camera = &run->options->view.camera;
     run->compared.num_views =
         run->options->camera || camera->viewall || camera->autocenter ? 1 : CSG_COMPARE_MAX_VIEWS;
-    run->renderer = csgcast_renderer_create(&run->options->renderer);
-    bool ok = run->renderer != NULL;
+    run->comparer.renderer = csgcast_renderer_create(&run->options->renderer);
+    bool ok = run->comparer.renderer != NULL;
     for (int i = 0; i < run->compared.num_views && ok; i++)
-        ok = compare_view(run, i);
+        ok = csg_compare_view(&run->comparer, &run->compared, i);
     if (ok)
         csg_compared_sum_up(&run->compared);
     return ok;
@@ -358,20 +188,13 @@ static bool compare_views(struct run *run)
 
 static void finish(struct run *run)
 {
-    for (int i = 0; i < CSG_COMPARE_MAX_VIEWS; i++) {
-        struct csg_compared_view *view = &run->compared.views[i];
-        csg_mesh_view_finish(&view->mesh);
-        free(view->result.verdicts);
-        free(view->z);
-        free(view->normal);
-        free(view->id);
-        free(view->wrong);
-    }
-    csg_caster_destroy(run->caster);
+    for (int i = 0; i < CSG_COMPARE_MAX_VIEWS; i++)
+        csg_compared_view_finish(&run->compared.views[i]);
+    csg_caster_destroy(run->comparer.caster);
     csg_soup_finish(&run->source.soup);
-    csgcast_renderer_destroy(run->renderer);
-    csgcast_scene_destroy(run->scene);
-    csgcast_scene_destroy(run->written);
+    csgcast_renderer_destroy(run->comparer.renderer);
+    csgcast_scene_destroy(run->comparer.scene);
+    csgcast_scene_destroy(run->comparer.written);
     free(run->defines);
     free(run->text);
 }

@@ -145,6 +145,14 @@ bool csg_tree_append(struct csg_tree *tree, const struct csg_node *nodes, uint32
     return true;
 }
 
+size_t csg_tree_count_leaves(const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < tree->num; i++)
+        num += tree->data[i].op == CSG_LEAF;
+    return num;
+}
+
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory)
 {
     CSG_ARRAY(uint32_t) ends = {0};

@@ -83,6 +83,8 @@ static inline uint32_t csg_tree_first_operand(const struct csg_tree *tree)
     return tree->num && tree->data[0].op == CSG_OR ? 1 : 0;
 }
 
+size_t csg_tree_count_leaves(const struct csg_tree *tree);
+
 /* Levels of Boolean nodes; 0 for one leaf. */
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory);
 

@@ -33,14 +33,6 @@
 #define STUBBORN_LEAVES 256
 #define STUBBORN_SHARE 0.9
 
-static size_t count_leaves(const struct csg_tree *tree)
-{
-    size_t num = 0;
-    for (size_t i = 0; i < tree->num; i++)
-        num += tree->data[i].op == CSG_LEAF;
-    return num;
-}
-
 /* Tiles that are not larger need not be cut for the planes in them; stacks have none. */
 static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_tree *tree)
 {
@@ -194,7 +186,7 @@ static bool emit(struct csg_tiler *tiler, const struct csg_tile_task *task)
     draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
     csg_draw_set_rect(&draw, &frame->screen, &rect);
-    csg_frame_count(frame, &rect, count_leaves(&task->tree) + task->bands.num);
+    csg_frame_count(frame, &rect, csg_tree_count_leaves(&task->tree) + task->bands.num);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
     return draw.instance.records[0] == draw.instance.records[1] ||
            csg_array_push(&frame->draws, draw);
@@ -229,7 +221,7 @@ static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
         tiler->terms->frame->tiles_empty++;
         return true;
     }
-    const size_t num_leaves = count_leaves(&task->tree);
+    const size_t num_leaves = csg_tree_count_leaves(&task->tree);
     if (!is_worth_cutting(tiler, task, num_leaves))
         return emit(tiler, task);
     return cut(tiler, task, num_leaves);
