@@ -120,6 +120,14 @@ static struct csgcast_camera wanted_camera(const struct csgcast_scene *scene,
     return camera;
 }
 
+/* A caller's enum may hold any number. */
+static bool has_known_names(const struct csgcast_view *view)
+{
+    return (unsigned)view->camera.kind <= CSGCAST_CAMERA_VECTOR &&
+           (unsigned)view->camera.projection <= CSGCAST_ORTHOGRAPHIC &&
+           (unsigned)view->cut_color <= CSGCAST_CUT_MINUEND;
+}
+
 bool csgcast_view_resolve(const struct csgcast_scene *scene, const struct csgcast_view *view,
                           struct csgcast_frustum *frustum)
 {
@@ -128,6 +136,8 @@ bool csgcast_view_resolve(const struct csgcast_scene *scene, const struct csgcas
         return false;
     if (!view)
         view = &default_view;
+    if (!has_known_names(view))
+        return argument_error(scene, "there is no such kind of camera, projection or cut colour");
     const struct csgcast_camera camera = wanted_camera(scene, &view->camera);
     const int width = view->width ? view->width : 512, height = view->height ? view->height : 512;
     const double fov = camera.fov != 0 ? camera.fov : DEFAULT_FOV;

@@ -49,6 +49,8 @@ struct csgcast_animation *csgcast_animation_load(const char *path, int num_frame
                       "an animation needs a path and 1 to 100000 frames");
         return NULL;
     }
+    if (!csg_scene_check(used, &log))
+        return NULL;
     struct csgcast_animation *animation = calloc(1, sizeof *animation);
     if (!animation || !keep(animation, path, used)) {
         csg_log_memory(&log);

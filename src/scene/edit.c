@@ -174,6 +174,10 @@ bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *
                         size_t num_edits)
 {
     struct session session = {.scene = scene};
+    if (scene && !edits && num_edits > 0) {
+        csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT, "an edit needs the edits");
+        return false;
+    }
     bool ok = scene && csg_edits_of(scene);
     for (size_t i = 0; i < num_edits && ok; i++)
         ok = add_edit(&session, &edits[i]);

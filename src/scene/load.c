@@ -149,11 +149,25 @@ static struct csgcast_scene *parse_own(char *text, size_t size,
     return NULL;
 }
 
+bool csg_scene_check(const struct csgcast_scene_params *params, const struct csg_log *log)
+{
+    const char *wrong = NULL;
+    if ((unsigned)params->facets > CSGCAST_FACETS_AS_WRITTEN)
+        wrong = "there is no such way to read facets";
+    else if ((!params->fonts && params->num_fonts) || (!params->defines && params->num_defines))
+        wrong = "there are no fonts or defines for their number";
+    if (wrong)
+        csg_log_error(log, CSGCAST_MESSAGE_ARGUMENT, "%s", wrong);
+    return !wrong;
+}
+
 struct csgcast_scene *csgcast_scene_parse(const char *text, size_t size,
                                           const struct csgcast_scene_params *params)
 {
     const struct csgcast_scene_params *used = params ? params : &default_params;
     const struct csg_log log = {used->log, used->log_user};
+    if (!csg_scene_check(used, &log))
+        return NULL;
     if (!text && size > 0) {
         csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a text");
         return NULL;
@@ -253,6 +267,8 @@ struct csgcast_scene *csgcast_scene_load(const char *path,
         csg_log_error(&log, CSGCAST_MESSAGE_ARGUMENT, "a scene needs a path");
         return NULL;
     }
+    if (!csg_scene_check(&placed, &log))
+        return NULL;
     if (!csg_scene_place(&placed, path, &own)) {
         csg_log_memory(&log);
         return NULL;

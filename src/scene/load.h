@@ -25,6 +25,9 @@ struct csgcast_scene *csg_scene_of_frame(const struct csg_flattened *flattened, 
  * false: out of memory. */
 bool csg_scene_place(struct csgcast_scene_params *params, const char *path, char **own);
 
+/* false, with a message, for params that make no sense: they come from the caller. */
+bool csg_scene_check(const struct csgcast_scene_params *params, const struct csg_log *log);
+
 struct csg_origins;
 
 /* Once more from the text it keeps, without messages; origins gets where its leaves come from. */
