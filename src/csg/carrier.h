@@ -26,9 +26,8 @@ struct csg_carriers {
     size_t num_planes, num_quadrics;
     size_t planes_capacity;
     struct csg_box *quadric_boxes; /* of what can be seen of them, world space */
-    size_t quadric_boxes_capacity, num_quadric_boxes;
-    uint32_t *quadric_leaves; /* whose quadric each is: csg_carrier_quadric */
-    size_t quadric_leaves_capacity, num_quadric_leaves;
+    uint32_t *quadric_leaves;      /* whose quadric each is: csg_carrier_quadric */
+    size_t quadric_leaves_capacity;
     size_t num_unused_planes, num_unused_quadrics; /* an edit has left them without faces */
     size_t num_shared; /* faces that found an earlier face's carrier */
     size_t num_own;    /* planes of surfaces that nothing else can lie on: not in planes[] */

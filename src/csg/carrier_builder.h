@@ -5,7 +5,7 @@
 /* Carriers while they are found, leaf by leaf. For carrier*.c. */
 
 #include "csg/carrier.h"
-#include "csg/carrier_index.h"
+#include "csg/carrier_probe.h"
 #include "csg/loners.h"
 #include "csg/plane_table.h"
 #include "csg/remote.h"
@@ -39,19 +39,23 @@ static inline int csg_rank_compare(const struct csg_rank *a, const struct csg_ra
     return a->face < b->face ? -1 : a->face > b->face;
 }
 
+/* Of faces and carriers. */
+enum csg_face_kind { CSG_PLANE, CSG_QUADRIC, CSG_NUM_FACE_KINDS };
+
+/* What is known of each carrier of one kind. */
+struct csg_carrier_list {
+    CSG_ARRAY(double) rounding; /* of the leaf that it came from */
+    /* Where it keeps; otherwise carriers are in the order of their ranks. */
+    CSG_ARRAY(struct csg_rank) ranks; /* of the face that it came from */
+    CSG_ARRAY(uint32_t) uses;         /* faces on it */
+    CSG_ARRAY(uint32_t) free;         /* carriers that edits have left without faces */
+};
+
 struct csg_carrier_builder {
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
     bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
-    /* Where it keeps; otherwise carriers are in the order of their ranks. */
-    CSG_ARRAY(struct csg_rank) plane_ranks; /* by carrier: of the face that it came from */
-    CSG_ARRAY(struct csg_rank) quadric_ranks;
-    CSG_ARRAY(uint32_t) plane_uses; /* by carrier: faces on it */
-    CSG_ARRAY(uint32_t) quadric_uses;
-    CSG_ARRAY(uint32_t) free_planes; /* carriers that edits have left without faces */
-    CSG_ARRAY(uint32_t) free_quadrics;
-    CSG_ARRAY(double) plane_rounding; /* of the leaf each carrier came from */
-    CSG_ARRAY(double) quadric_rounding;
+    struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
     struct csg_plane_table planes; /* that were met */
     bool *wanted;               /* by leaf: it is in leaves */
@@ -88,18 +92,29 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder);
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf);
 bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf);
 
-/* What can be seen of each quadric. */
-void csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers);
+/* What can be seen of each quadric. false: out of memory. */
+bool csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers);
 
 /* The carrier of a plane: one that is there, or a new one. rank: the face's; NULL where the builder
- * does not keep. false: out of memory. */
+ * does not keep. alone: nothing can coincide with it. false: out of memory. */
 bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
                               const struct csg_leaf_extent *extent, const struct csg_rank *rank,
-                              struct csg_face *face);
+                              bool alone, struct csg_face *face);
 
 /* The same for the leaf's quadric, the face in builder->carriers and its sheet. */
 bool csg_carrier_assign_quadric(struct csg_carrier_builder *builder, uint32_t leaf,
-                                const struct csg_leaf_extent *extent, const struct csg_rank *rank);
+                                const struct csg_leaf_extent *extent, const struct csg_rank *rank,
+                                bool alone);
+
+/* The same for all faces of a leaf that is a surface, and of any leaf. */
+bool csg_carrier_assign_surface(struct csg_carrier_builder *builder, const struct csg_rank *rank);
+bool csg_carrier_assign_leaf(struct csg_carrier_builder *builder, const struct csg_rank *rank);
+
+/* Whether the builder knows that nothing can coincide with a plane, by its place in faces[]. */
+static inline bool csg_is_lone_plane(const struct csg_carrier_builder *builder, size_t face)
+{
+    return builder->is_alone || (builder->loners.planes && builder->loners.planes[face]);
+}
 
 /* Of a leaf's faces. */
 struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,

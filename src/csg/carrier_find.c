@@ -47,9 +47,10 @@ static double alignment(const struct csg_plane *a, const struct csg_plane *b)
 
 /* Whether the face of that rank asks for the carrier: it comes before the face, and before what was
  * found so far. */
-static bool is_asked_for(const struct csg_carrier_builder *builder, const struct csg_rank *ranks,
+static bool is_asked_for(const struct csg_carrier_builder *builder, enum csg_face_kind kind,
                          uint32_t carrier, const struct csg_rank *rank, uint32_t found)
 {
+    const struct csg_rank *ranks = builder->lists[kind].ranks.data;
     if (!builder->keeps) /* in the order of ranks */
         return carrier < found;
     return csg_rank_compare(&ranks[carrier], rank) < 0 &&
@@ -64,12 +65,12 @@ static void find_parallel(const struct csg_carrier_builder *builder, const struc
     struct csg_index_probe probe;
     csg_index_probe_parallel(&builder->index, like, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
-        if (!is_asked_for(builder, builder->plane_ranks.data, i, rank, face->carrier))
+        if (!is_asked_for(builder, CSG_PLANE, i, rank, face->carrier))
             continue;
         const struct csg_plane *carrier = &builder->carriers->planes[i];
         const double s = alignment(plane, carrier);
         if (plane_deviation(plane, carrier, s, extent) <=
-            csg_carrier_tolerance(extent, builder->plane_rounding.data[i]))
+            csg_carrier_tolerance(extent, builder->lists[CSG_PLANE].rounding.data[i]))
             *face = (struct csg_face){.carrier = i, .flipped = s < 0, .is_other = true};
     }
 }
@@ -144,13 +145,13 @@ bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         const struct csg_quadric *carrier =
             csg_carrier_quadric(builder->scene, builder->carriers, i);
-        if (!is_asked_for(builder, builder->quadric_ranks.data, i, rank, face->carrier) ||
+        if (!is_asked_for(builder, CSG_QUADRIC, i, rank, face->carrier) ||
             !same_class(&shape->quadric, carrier))
             continue;
         if (!num_points)
             num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
-        if (same_surface(carrier, points, num_points,
-                         csg_carrier_tolerance(extent, builder->quadric_rounding.data[i])))
+        const double rounding = builder->lists[CSG_QUADRIC].rounding.data[i];
+        if (same_surface(carrier, points, num_points, csg_carrier_tolerance(extent, rounding)))
             *face = (struct csg_face){
                 .carrier = i, .flipped = is_flipped(&shape->quadric, carrier, points[0])};
     }

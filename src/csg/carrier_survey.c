@@ -115,9 +115,11 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder)
         empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
     const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
     builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    return find_extremes(builder, room) &&
-           csg_index_start(&builder->index, center, builder->radius, builder->largest_slack,
-                           builder->largest_tolerance);
+    if (!find_extremes(builder, room))
+        return false;
+    const struct csg_carrier_space space = csg_carrier_space(
+        center, builder->radius, builder->largest_slack, builder->largest_tolerance);
+    return csg_index_start(&builder->index, &space);
 }
 
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf)
@@ -130,7 +132,7 @@ bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t 
 bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf)
 {
     const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
-    const double away = csg_length(csg_sub(extent.center, builder->index.center));
+    const double away = csg_length(csg_sub(extent.center, builder->index.space.center));
     return csg_carrier_can_follow(builder, leaf) &&
            away + extent.radius <= builder->radius &&
            slack_of(builder, leaf, &extent) <= builder->largest_slack &&

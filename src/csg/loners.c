@@ -73,7 +73,7 @@ static void note_leaf(struct search *search, uint32_t leaf, size_t task)
     struct csg_plane plane;
     for (uint32_t i = 0; i < planes.num; i++)
         if (plane_at(&planes, i, &plane))
-            csg_directions_add(&search->directions[task], &plane);
+            csg_directions_add(&search->directions[task], plane.normal);
 }
 
 static void note_task(void *user, size_t task)
@@ -155,9 +155,9 @@ static void add_face(struct batch *batch, int num, uint8_t *alone)
 /* None for a plane that is looked for under other normals, too: it is no loner. */
 static int plane_keys(const struct search *search, const struct csg_plane *plane, uint64_t keys[8])
 {
-    if (search->is_dense || csg_directions_are_shared(search->directions, plane))
+    if (search->is_dense || csg_directions_are_shared(search->directions, plane->normal))
         return 0;
-    return csg_index_plane_keys(&search->builder->index, plane, keys);
+    return csg_parallel_keys(&search->builder->index.space, plane, keys);
 }
 
 /* Enters a leaf's keys, or with judged asks whether its faces are alone. */
@@ -174,8 +174,8 @@ static void add_leaf(struct batch *batch, uint32_t leaf, bool judged)
                      judged ? &faces[i] : NULL);
     if (shape->has_quadric)
         add_face(batch,
-                 csg_index_quadric_keys(&search->builder->index, &shape->quadric,
-                                        batch->faces[batch->num].keys),
+                 csg_quadric_keys(&search->builder->index.space, &shape->quadric,
+                                  batch->faces[batch->num].keys, (uint16_t[3]){0}),
                  judged ? &search->loners->quadrics[leaf] : NULL);
 }
 
@@ -218,12 +218,12 @@ static void find(struct search *search)
 bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder *builder)
 {
     const struct csgcast_scene *scene = builder->scene;
-    const struct csg_carrier_index *index = &builder->index;
+    const struct csg_carrier_space *space = &builder->index.space;
     const size_t num_planes = builder->carriers->face_begin[scene->num_leaves];
     const size_t num_faces = num_planes + scene->num_leaves;
     struct search search = {
         .scene = scene, .builder = builder, .loners = loners, .mask = PLACES_A_WORD - 1};
-    search.is_dense = (double)num_planes * index->fine > MAX_DENSITY * index->radius;
+    search.is_dense = (double)num_planes * space->fine > MAX_DENSITY * space->radius;
     if (num_faces < MIN_FACES)
         return true;
     while (search.mask < PLACES_A_FACE * num_faces && search.mask < MAX_PLACES - 1)

@@ -7,7 +7,6 @@
  * what they coincide with, nor to find them. In most scenes of a million solids nearly all are.
  */
 
-#include "csg/carrier_index.h"
 #include "csg/scene.h"
 
 /* All NULL: no face is known to be one. */

@@ -43,7 +43,7 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
         const size_t num = builder->carriers->num_planes;
         struct csg_face face;
         ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL,
-                                      &face);
+                                      false, &face);
         if (ok && builder->carriers->num_planes > num)
             firsts[face.carrier] = plane;
         if (ok)

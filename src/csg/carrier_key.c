@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+#include "csg/carrier_key.h"
+
+#include "csg/grid.h"
+
+/* Neighbours are looked at where they are as near as this, in cells. Lengths: coincident faces
+ * differ by less, so that most of the time one cell of two does. Directions: the nearer one always.
+ */
+#define NEAR_LENGTH 0.25
+#define NEAR_DIRECTION 0.5
+
+/* Places of quadrics are counted in parts of a cell; a part more for their rounding. */
+#define PARTS 64
+#define NEAR_PARTS 17
+
+enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
+
+/* Quadrics are told apart by their distances from three points, in radii of the scene from its
+ * center, that have no model's symmetry. */
+static const struct csg_vec3 probes[3] = {
+    {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.2371, -0.6127, -0.3343}};
+
+struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius, double slack,
+                                           double tolerance)
+{
+    struct csg_carrier_space space = {.center = center,
+                                      .radius = radius,
+                                      .cell = fmax(8 * slack, 2e-9 * radius),
+                                      .fine = fmax(4 * tolerance, 1e-12 * radius)};
+    for (int i = 0; i < 3; i++)
+        space.probes[i] = csg_add(center, csg_scale(radius, probes[i]));
+    return space;
+}
+
+/* ---- coordinates, in cells ---------------------------------------------------------------- */
+
+static double offset_of(const struct csg_carrier_space *space, const struct csg_plane *plane)
+{
+    return plane->offset - csg_dot(plane->normal, space->center);
+}
+
+static double parallel_coordinate(const struct csg_carrier_space *space,
+                                  const struct csg_plane *plane)
+{
+    const double offset = offset_of(space, plane);
+    return (csg_direction_is_reversed(plane->normal) ? -offset : offset) / space->fine;
+}
+
+/* A plane and its reverse get the same ones. */
+static void plane_coordinates(const struct csg_carrier_space *space, const struct csg_plane *plane,
+                              double coordinates[3])
+{
+    csg_direction_coordinates(plane->normal, coordinates);
+    coordinates[2] = fabs(offset_of(space, plane)) / space->cell;
+}
+
+/* A third of the norm of f's second derivatives, squared: what it is of a sphere. */
+static double curvature(const struct csg_quadric *quadric)
+{
+    double sum = 0;
+    for (int j = 0; j < 3; j++)
+        for (int k = 0; k < 3; k++) {
+            double entry = 0;
+            for (int i = 0; i < 3; i++)
+                entry += quadric->diag[i] * quadric->to_canon.m[i][j] * quadric->to_canon.m[i][k];
+            sum += entry * entry;
+        }
+    return sqrt(sum / 3);
+}
+
+/*
+ * How far p is from the surface, nearly: exactly for a sphere, and bounded wherever the gradient
+ * vanishes (Taubin 1994, Distance approximations for rasterizing implicit curves, eq. 9, with one
+ * norm for all second derivatives). It does not depend on how the surface was brought to its
+ * normal form.
+ */
+static double distance_of(const struct csg_quadric *quadric, double curved, struct csg_vec3 p)
+{
+    const double value = fabs(csg_quadric_value(quadric, p));
+    const double slope = csg_length(csg_quadric_gradient(quadric, p));
+    const double sum = slope + sqrt(slope * slope + 4 * value * curved);
+    return sum > 0 ? 2 * value / sum : value;
+}
+
+static void quadric_coordinates(const struct csg_carrier_space *space,
+                                const struct csg_quadric *quadric, double coordinates[3])
+{
+    const double curved = curvature(quadric);
+    /* The distance follows a small change of the surface only to first order: wider cells. */
+    for (int i = 0; i < 3; i++)
+        coordinates[i] = distance_of(quadric, curved, space->probes[i]) / (8 * space->cell);
+}
+
+/* ---- keys --------------------------------------------------------------------------------- */
+
+/* Of a cell, for one of the three ways to look, which must not meet: small numbers of cells would
+ * make up for kinds that follow each other. */
+static uint64_t key_of_cell(uint64_t kind, const int64_t cell[3])
+{
+    uint64_t hash = (kind + 1) * 0x9e3779b97f4a7c15u;
+    for (int i = 0; i < 3; i++) {
+        hash ^= (uint64_t)cell[i];
+        hash *= 0xbf58476d1ce4e5b9u;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+static uint64_t key_of(uint64_t kind, const double coordinates[3])
+{
+    return key_of_cell(kind, (const int64_t[3]){csg_grid_cell(coordinates[0]),
+                                                csg_grid_cell(coordinates[1]),
+                                                csg_grid_cell(coordinates[2])});
+}
+
+/* The keys of a face's cell and of the neighbours that it is near to in some coordinates. */
+static int keys_around(uint64_t kind, const double coordinates[3], const double near[3],
+                       uint64_t keys[8])
+{
+    int num = 0, far = 0;
+    for (int i = 0; i < 3; i++)
+        far |= csg_grid_is_near(coordinates[i], near[i]) << i;
+    for (int k = 0; k < 8; k++) {
+        int64_t cell[3];
+        for (int i = 0; i < 3; i++)
+            cell[i] = k >> i & 1 ? csg_grid_neighbour(coordinates[i])
+                                 : csg_grid_cell(coordinates[i]);
+        if ((k & ~far) == 0)
+            keys[num++] = key_of_cell(kind, cell);
+    }
+    return num;
+}
+
+static uint64_t parallel_key(int64_t number, int64_t cell)
+{
+    return key_of_cell(KEY_PARALLEL, (const int64_t[3]){number, cell, 0});
+}
+
+uint64_t csg_parallel_key(const struct csg_carrier_space *space, const struct csg_plane *plane,
+                          int64_t number)
+{
+    return parallel_key(number, csg_grid_cell(parallel_coordinate(space, plane)));
+}
+
+int csg_parallel_keys(const struct csg_carrier_space *space, const struct csg_plane *plane,
+                      uint64_t keys[8])
+{
+    const double coordinate = parallel_coordinate(space, plane);
+    const int64_t number = csg_direction_number(plane->normal);
+    keys[0] = parallel_key(number, csg_grid_cell(coordinate));
+    if (!csg_grid_is_near(coordinate, NEAR_LENGTH))
+        return 1;
+    keys[1] = parallel_key(number, csg_grid_neighbour(coordinate));
+    return 2;
+}
+
+uint64_t csg_normal_key(const struct csg_carrier_space *space, const struct csg_plane *plane)
+{
+    double coordinates[3];
+    plane_coordinates(space, plane, coordinates);
+    return key_of(KEY_NORMAL, coordinates);
+}
+
+int csg_normal_keys(const struct csg_carrier_space *space, const struct csg_plane *plane,
+                    uint64_t keys[8])
+{
+    static const double near[3] = {NEAR_DIRECTION, NEAR_DIRECTION, NEAR_LENGTH};
+    double coordinates[3];
+    plane_coordinates(space, plane, coordinates);
+    return keys_around(KEY_NORMAL, coordinates, near, keys);
+}
+
+/* Only quadrics of equal normal forms, up to their sign, can be the same surface. */
+static uint64_t quadric_kind(const struct csg_quadric *quadric)
+{
+    int code = 0, negated = 0;
+    for (int i = 0; i < 4; i++) {
+        code = 3 * code + (int)quadric->diag[i] + 1;
+        negated = 3 * negated - (int)quadric->diag[i] + 1;
+    }
+    return KEY_QUADRIC + (uint64_t)(code < negated ? code : negated);
+}
+
+/* Modulo 2^16: only what is in one cell or in neighbours is compared. */
+static void put_place(const double coordinates[3], uint16_t place[3])
+{
+    for (int i = 0; i < 3; i++)
+        place[i] = (uint16_t)(uint64_t)csg_grid_cell(PARTS * coordinates[i]);
+}
+
+bool csg_is_near_place(const uint16_t a[3], const uint16_t b[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const uint16_t apart = (uint16_t)(a[i] - b[i] + NEAR_PARTS);
+        if (apart > 2 * NEAR_PARTS)
+            return false;
+    }
+    return true;
+}
+
+uint64_t csg_quadric_key(const struct csg_carrier_space *space, const struct csg_quadric *quadric,
+                         uint16_t place[3])
+{
+    double coordinates[3];
+    quadric_coordinates(space, quadric, coordinates);
+    put_place(coordinates, place);
+    return key_of(quadric_kind(quadric), coordinates);
+}
+
+int csg_quadric_keys(const struct csg_carrier_space *space, const struct csg_quadric *quadric,
+                     uint64_t keys[8], uint16_t place[3])
+{
+    static const double near[3] = {NEAR_LENGTH, NEAR_LENGTH, NEAR_LENGTH};
+    double coordinates[3];
+    quadric_coordinates(space, quadric, coordinates);
+    put_place(coordinates, place);
+    return keys_around(quadric_kind(quadric), coordinates, near, keys);
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+
+/* Faces of an edit that get their carriers anew. */
+
+#include <stdlib.h>
+
+#include "csg/carrier_change.h"
+
+static struct csg_face *face_of(struct csg_carriers *carriers, enum csg_face_kind kind,
+                                const struct csg_rank *rank)
+{
+    return kind == CSG_PLANE ? &carriers->faces[carriers->face_begin[rank->leaf] + rank->face]
+                             : &carriers->quadric_faces[rank->leaf];
+}
+
+/* ---- what a new carrier concerns ---------------------------------------------------------- */
+
+/* Faces of a carrier that comes later may lie on that of the rank. */
+static bool affect_later(struct csg_carrier_change *change, enum csg_face_kind kind,
+                         uint32_t carrier, const struct csg_rank *rank)
+{
+    return csg_rank_compare(csg_rank_of(change, kind, carrier), rank) <= 0 ||
+           csg_carrier_affect(change, kind, carrier);
+}
+
+static bool affect_near_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
+{
+    const struct csg_carrier_index *index = &change->builder->index;
+    struct csg_index_probe probe;
+    csg_index_probe_parallel(index, csg_plane_of(change, rank), &probe);
+    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
+        if (!affect_later(change, CSG_PLANE, i, rank))
+            return false;
+    csg_index_probe_normals(index, csg_plane_of(change, rank), &probe);
+    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
+        for (; i != CSG_NO_CARRIER; i = csg_index_next_member(index, i))
+            if (!affect_later(change, CSG_PLANE, i, rank))
+                return false;
+    return true;
+}
+
+static bool affect_near_quadric(struct csg_carrier_change *change, const struct csg_rank *rank)
+{
+    const struct csg_carrier_index *index = &change->builder->index;
+    struct csg_index_probe probe;
+    csg_index_probe_quadric(index, &change->scene->leaves[rank->leaf].shape.quadric, &probe);
+    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
+        if (!affect_later(change, CSG_QUADRIC, i, rank))
+            return false;
+    return true;
+}
+
+/* ---- carriers and faces that go ------------------------------------------------------------ */
+
+static void take_face(struct csg_carrier_change *change, const struct csg_rank *rank,
+                      struct csg_face *face)
+{
+    if (face->is_other)
+        csg_plane_table_remove(&change->builder->planes, change->carriers->planes,
+                               csg_plane_of(change, rank));
+    face->carrier = CSG_NO_CARRIER;
+}
+
+/* The leaf's faces on affected carriers; num counts down those that are left. */
+static bool collect_leaf(struct csg_carrier_change *change, enum csg_face_kind kind, uint32_t leaf,
+                         size_t *num)
+{
+    struct csg_carriers *carriers = change->carriers;
+    struct csg_carrier_work *work = &change->work[kind];
+    struct csg_rank rank = {.leaf = leaf};
+    const uint32_t num_faces =
+        kind == CSG_QUADRIC ? 1 : carriers->face_begin[leaf + 1] - carriers->face_begin[leaf];
+    for (; rank.face < num_faces; rank.face++) {
+        struct csg_face *face = face_of(carriers, kind, &rank);
+        if (face->carrier >= work->num_marks || !work->marks[face->carrier])
+            continue;
+        struct csg_carrier_item item = {csg_carrier_rank(change->builder, leaf, rank.face), false};
+        item.was_first =
+            csg_rank_compare(csg_rank_of(change, kind, face->carrier), &item.rank) == 0;
+        take_face(change, &rank, face);
+        carriers->renewed[leaf] = true;
+        if (!csg_array_push(&work->items, item))
+            return false;
+        --*num;
+    }
+    return true;
+}
+
+static bool remove_carrier(struct csg_carrier_change *change, enum csg_face_kind kind,
+                           uint32_t carrier)
+{
+    struct csg_carrier_builder *builder = change->builder;
+    const struct csg_plane *planes = change->carriers->planes;
+    builder->lists[kind].uses.data[carrier] = 0;
+    if (carrier < change->work[kind].num_marks)
+        change->work[kind].marks[carrier] = 0; /* another one may get its number */
+    if (kind == CSG_QUADRIC) {
+        csg_index_remove_quadric(&builder->index, carrier);
+    } else {
+        csg_index_remove_plane(&builder->index, &planes[carrier], carrier);
+        csg_plane_table_remove(&builder->planes, planes, &planes[carrier]);
+    }
+    return csg_array_push(&builder->lists[kind].free, carrier);
+}
+
+/* The faces of affected carriers become items. */
+static bool collect(struct csg_carrier_change *change, enum csg_face_kind kind)
+{
+    struct csg_carrier_work *work = &change->work[kind];
+    size_t num = 0;
+    bool ok = true;
+    for (size_t i = 0; i < work->affected.num; i++)
+        num += change->builder->lists[kind].uses.data[work->affected.data[i]];
+    for (uint32_t leaf = 0; leaf < change->scene->num_leaves && num > 0 && ok; leaf++)
+        ok = !change->wanted[leaf] || collect_leaf(change, kind, leaf, &num);
+    for (size_t i = 0; i < work->affected.num && ok; i++)
+        ok = remove_carrier(change, kind, work->affected.data[i]);
+    work->affected.num = 0;
+    return ok;
+}
+
+/* What a pass has done, when it turns out to concern more carriers. */
+static bool undo(struct csg_carrier_change *change, enum csg_face_kind kind)
+{
+    struct csg_carrier_work *work = &change->work[kind];
+    bool ok = true;
+    for (size_t i = 0; i < work->items.num; i++) {
+        const struct csg_rank *rank = &work->items.data[i].rank;
+        struct csg_face *face = face_of(change->carriers, kind, rank);
+        if (face->carrier == CSG_NO_CARRIER)
+            continue;
+        change->builder->lists[kind].uses.data[face->carrier]--;
+        take_face(change, rank, face);
+    }
+    for (size_t i = 0; i < work->created.num && ok; i++)
+        ok = remove_carrier(change, kind, work->created.data[i]);
+    work->created.num = 0;
+    return ok;
+}
+
+/* ---- passes ------------------------------------------------------------------------------- */
+
+static int compare_items(const void *a, const void *b)
+{
+    const struct csg_carrier_item *x = a, *y = b;
+    return csg_rank_compare(&x->rank, &y->rank);
+}
+
+static bool assign(struct csg_carrier_change *change, enum csg_face_kind kind,
+                   const struct csg_carrier_item *item)
+{
+    struct csg_carrier_builder *builder = change->builder;
+    const struct csg_rank *rank = &item->rank;
+    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, rank->leaf);
+    struct csg_face *face = face_of(change->carriers, kind, rank);
+    if (!(kind == CSG_PLANE
+              ? csg_carrier_assign_plane(builder, csg_plane_of(change, rank), &extent, rank, false,
+                                         face)
+              : csg_carrier_assign_quadric(builder, rank->leaf, &extent, rank, false)))
+        return false;
+    if (csg_rank_compare(csg_rank_of(change, kind, face->carrier), rank) != 0)
+        return true;
+    if (!csg_array_push(&change->work[kind].created, face->carrier))
+        return false;
+    return item->was_first || (kind == CSG_PLANE ? affect_near_plane(change, rank)
+                                                 : affect_near_quadric(change, rank));
+}
+
+/* All items so far, in their order, until the carriers that they make concern no others. */
+bool csg_carrier_settle(struct csg_carrier_change *change, enum csg_face_kind kind)
+{
+    struct csg_carrier_work *work = &change->work[kind];
+    bool ok = true;
+    do {
+        ok = undo(change, kind) && collect(change, kind);
+        if (work->items.num > 1)
+            qsort(work->items.data, work->items.num, sizeof *work->items.data, compare_items);
+        for (size_t i = 0; i < work->items.num && ok; i++)
+            ok = assign(change, kind, &work->items.data[i]);
+    } while (ok && work->affected.num > 0);
+    return ok;
+}
