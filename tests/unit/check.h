@@ -6,7 +6,12 @@
 
 #include <stdio.h>
 
+/* Several files of one program count together: they define this, and one of them num_failed. */
+#ifdef CHECK_TOGETHER
+extern int num_failed;
+#else
 static int num_failed;
+#endif
 
 #define CHECK(condition, ...)                                                                      \
     do {                                                                                           \

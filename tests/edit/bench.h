@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_TESTS_EDIT_BENCH_H
+#define CSG_TESTS_EDIT_BENCH_H
+
+/* Two renderers side by side: one draws a scene that is edited, one the text that it has become. */
+
+#include <csgcast/csgcast.h>
+
+#define CHECK_TOGETHER
+#include "../unit/check.h"
+#include "model.h"
+
+#define SIZE 72
+#define PIXELS (SIZE * SIZE)
+#define NUM_EDITS 5
+
+struct picture {
+    float rgba[4 * PIXELS], z[PIXELS], normal[3 * PIXELS], id[PIXELS];
+};
+
+struct bench {
+    struct csgcast_renderer *edited, *fresh; /* one each, so that programs can be counted */
+    struct picture got, expected;
+    char text[MODEL_MAX_TEXT];
+};
+
+extern const char *bench_forced;      /* variant of the pictures; NULL: none */
+extern char bench_last_message[512];
+
+/* Ends the program where the text is no scene. */
+struct csgcast_scene *bench_parse(const char *text, bool editable);
+void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                const struct csgcast_camera *camera, struct picture *picture);
+size_t bench_num_programs(const struct csgcast_renderer *renderer);
+
+/* To the last bit, as the checks of tests/unit/check.h. */
+void bench_compare_pictures(const struct bench *bench, const char *what, bool with_id);
+void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scene *b,
+                        const char *what);
+
+/* Draws the edited scene and the text of its model, and compares both. */
+void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
+                   const struct model *model, const char *what, bool with_id);
+
+/* Random edits of random scenes (random.c), and cases by hand (cases.c). */
+void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool editable);
+void check_programs(struct bench *bench, uint64_t seed, int max_leaves);
+void check_series(struct bench *bench, uint64_t seed);
+void check_batch(struct bench *bench);
+void check_growth(struct bench *bench); /* before all others: no program is there */
+void check_cases(struct bench *bench);
+
+#endif
