@@ -175,8 +175,28 @@ static bool simplify(struct csgcast_scene *scene, struct csg_tree *tree, struct 
            (!scene->keeps_structure || csg_tree_copy(tree, kept)) && csg_tree_prune(scene, tree);
 }
 
+/* What is subtracted is closed, or it would take away all that is seen through its gaps. */
+static bool close_subtracted(struct csgcast_scene *scene, const struct csg_tree *tree)
+{
+    for (size_t i = 0; i < tree->num; i++) {
+        const struct csg_node *node = &tree->data[i];
+        struct csg_shape *shape = node->op == CSG_LEAF ? &scene->leaves[node->leaf].shape : NULL;
+        if (!shape || !node->negated || !shape->surface || !shape->surface->open)
+            continue;
+        struct csg_surface *closed = csg_surface_closed(shape->surface);
+        if (!closed)
+            return false;
+        csg_surface_destroy(shape->surface);
+        shape->surface = closed;
+    }
+    return true;
+}
+
 static bool build_surfaces(struct csgcast_scene *scene)
 {
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+        if (!close_subtracted(scene, &scene->trees[layer]))
+            return false;
     for (size_t i = 0; i < scene->num_leaves; i++) {
         struct csg_surface *surface = scene->leaves[i].shape.surface;
         if (surface && !surface->own &&

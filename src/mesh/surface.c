@@ -13,6 +13,7 @@ void csg_surface_destroy(struct csg_surface *surface)
 {
     if (!surface || surface->num_sharers-- > 0)
         return;
+    csg_surface_destroy(surface->closed);
     free(surface->own);
     free(surface->extents);
     free(surface->points.data);
@@ -34,8 +35,7 @@ struct csg_surface *csg_surface_share(struct csg_surface *surface)
     return surface;
 }
 
-/* Without what can be built anew. */
-static struct csg_surface *copy_of(const struct csg_surface *surface)
+struct csg_surface *csg_surface_copy(const struct csg_surface *surface)
 {
     struct csg_surface *copy = calloc(1, sizeof *copy);
     if (copy && copy_array(&copy->points, &surface->points) &&
@@ -43,6 +43,7 @@ static struct csg_surface *copy_of(const struct csg_surface *surface)
         copy_array(&copy->planes, &surface->planes)) {
         copy->rounding = surface->rounding;
         copy->open = surface->open;
+        copy->is_filled = surface->is_filled;
         copy->is_simple = surface->is_simple;
         return copy;
     }
@@ -62,7 +63,7 @@ struct csg_surface *csg_surface_placed(struct csg_surface *surface, const struct
     struct csg_map inverse;
     if (csg_map_is_identity(place))
         return csg_surface_share(surface);
-    struct csg_surface *copy = csg_map_invert(place, &inverse) ? copy_of(surface) : NULL;
+    struct csg_surface *copy = csg_map_invert(place, &inverse) ? csg_surface_copy(surface) : NULL;
     if (!copy)
         return NULL;
     for (size_t i = 0; i < copy->points.num; i++)

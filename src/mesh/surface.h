@@ -48,8 +48,8 @@ struct csg_own_face {
 
 /*
  * All copies of a solid have one surface, in a space of its own; each says in its csg_shape.frame
- * where it is, here called place. Nothing is changed once it is made but what csg_surface_build and
- * csg_own_faces_find (csg/own_faces.h) fill in.
+ * where it is, here called place. Nothing is changed once it is made but what csg_surface_build,
+ * csg_own_faces_find (csg/own_faces.h) and csg_surface_closed fill in.
  */
 struct csg_surface {
     uint32_t num_sharers; /* shapes beside the first that have it */
@@ -64,6 +64,8 @@ struct csg_surface {
     double size; /* largest coordinate; infinite where a point or plane is not finite */
     bool is_simple; /* no two faces lie upon each other, not even in part */
     bool open; /* some edge does not belong to two triangles in opposite directions */
+    bool is_filled;             /* of its gaps, what can be */
+    struct csg_surface *closed; /* see csg_surface_closed; NULL until it is asked for */
 };
 
 /* One sharer less; the last one takes it along. */
@@ -76,6 +78,14 @@ struct csg_surface *csg_surface_share(struct csg_surface *surface);
 /* A new surface, or a sharer, that is where place takes this one. NULL: out of memory, or place is
  * singular. */
 struct csg_surface *csg_surface_placed(struct csg_surface *surface, const struct csg_map *place);
+
+/* A new one, without what can be built anew. NULL: out of memory. */
+struct csg_surface *csg_surface_copy(const struct csg_surface *surface);
+
+/* A sharer of the surface with its gaps filled, but for sheets and for pieces that are mostly gaps;
+ * where it is subtracted these would take away all that is seen through them. NULL: out of memory.
+ */
+struct csg_surface *csg_surface_closed(struct csg_surface *surface);
 
 /* Builds the hierarchy of boxes. false: out of memory. */
 bool csg_surface_build(struct csg_surface *surface);

@@ -186,6 +186,60 @@ static void check_open(void)
     csg_mesh_finish(&mesh);
 }
 
+static void drop_faces(struct csg_mesh *mesh, double share)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < mesh->faces.num; i++)
+        if (random_unit() >= share)
+            mesh->faces.data[kept++] = mesh->faces.data[i];
+    mesh->faces.num = kept;
+}
+
+/* With its gaps filled nothing passes through any more, and the surface that is shared stays. */
+static void check_closed(bool grid, double share)
+{
+    struct csg_mesh mesh = {0};
+    struct csg_shape shape;
+    struct csg_mesh_gaps gaps;
+    fill_torus(&mesh, 24, 16, grid);
+    drop_faces(&mesh, share);
+    CHECK(csg_mesh_clean(&mesh, NULL) && csg_mesh_orient(&mesh, &gaps), "memory");
+    CHECK(gaps.num > 0 && csg_mesh_to_shape(&mesh, true, &shape), "memory");
+    const size_t num = shape.surface->triangles.num;
+    struct csg_surface *closed = csg_surface_closed(shape.surface);
+    CHECK(closed && csg_surface_build(closed), "memory");
+    CHECK(!closed->open && shape.surface->open && shape.surface->triangles.num == num, "open");
+    CHECK(csg_surface_closed(closed) == closed, "closed once more");
+    check_lines(closed, 1000, grid);
+    for (int i = 0; i < 200 && !grid; i++) {
+        const struct csg_vec3 p = random_point(false);
+        const double across = sqrt(p.x * p.x + p.y * p.y) - 2, r = hypot(across, p.z);
+        if (fabs(r - 0.8) > 0.4)
+            CHECK(csg_surface_winding(closed, &csg_map_identity, p) == (r < 1), "at %g %g %g", p.x,
+                  p.y, p.z);
+    }
+    csg_surface_destroy(closed);
+    csg_surface_destroy(closed);
+    csg_shape_finish(&shape);
+    csg_mesh_finish(&mesh);
+}
+
+/* A single face would vanish: it stays what it is. */
+static void check_sheet(void)
+{
+    struct csg_mesh mesh = {0};
+    struct csg_shape shape;
+    fill_torus(&mesh, 24, 16, false);
+    mesh.faces.num = 1;
+    build(&mesh, &shape, 4);
+    struct csg_surface *closed = csg_surface_closed(shape.surface);
+    CHECK(closed && closed->open, "memory");
+    CHECK(closed->triangles.num == shape.surface->triangles.num, "a sheet was filled");
+    csg_surface_destroy(closed);
+    csg_shape_finish(&shape);
+    csg_mesh_finish(&mesh);
+}
+
 /* Everything at one point, on one line, in one plane, and far away. */
 static void check_degenerate(void)
 {
@@ -218,6 +272,10 @@ int main(void)
     check_torus(true, 0);
     check_map();
     check_open();
+    check_closed(false, 0.02);
+    check_closed(false, 0.2);
+    check_closed(true, 0.2);
+    check_sheet();
     check_degenerate();
     return num_failed > 0;
 }
