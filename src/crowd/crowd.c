@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
 #include "crowd/tree_cast.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
@@ -19,7 +20,8 @@ enum {
 
 struct builder {
     const struct csgcast_scene *scene;
-    uint8_t *keys;     /* per object: its class, or NO_CLASS */
+    uint8_t *keys;     /* per object: its class, or NO_CLASS, */
+    float *needs;      /* ... and what csg_precision_need says of it then */
     uint32_t *parents; /* per object: union-find over shared carriers */
 };
 
@@ -42,7 +44,8 @@ static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf
     return csg_outline_of(&scene->leaves[leaf].shape, quadric, ball, numbers);
 }
 
-static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object *object)
+static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object *object,
+                      float *need)
 {
     const struct csg_node *node = single_node(scene, object);
     if (!node || object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
@@ -53,8 +56,10 @@ static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object
         !csg_box_is_finite(&shape->bounds) || (!shape->has_quadric && !shape->num_planes) ||
         (shape->has_quadric && face.flipped))
         return NO_CLASS;
-    const size_t index = (size_t)(object - scene->objects->data);
-    if (scene->sharpness[index].least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
+    const struct csg_sharpness sharp =
+        csg_sharpness_of(scene, (size_t)(object - scene->objects->data));
+    *need = (float)csg_precision_need(&sharp);
+    if (sharp.least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
         return NO_CLASS;
     struct csg_outline_ball ball;
     double numbers[CSG_OUTLINE_MAX];
@@ -145,17 +150,33 @@ static void part_classes(struct builder *builder)
         builder->keys[i] = builder->keys[root_of(builder->parents, i)];
 }
 
+/* Objects or members that one core looks at, at a time. */
+enum { CHUNK = 4096 };
+
+static size_t num_chunks(size_t num)
+{
+    return (num + CHUNK - 1) / CHUNK;
+}
+
+static void find_keys(void *user, size_t chunk)
+{
+    struct builder *builder = user;
+    const struct csg_objects *objects = builder->scene->objects;
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < objects->num; i++) {
+        builder->keys[i] = key_of(builder->scene, &objects->data[i], &builder->needs[i]);
+        builder->parents[i] = (uint32_t)i;
+    }
+}
+
 static bool classify(struct builder *builder)
 {
-    const struct csg_objects *objects = builder->scene->objects;
-    builder->keys = malloc(objects->num + 1);
-    builder->parents = malloc((objects->num + 1) * sizeof *builder->parents);
-    if (!builder->keys || !builder->parents)
+    const size_t num = builder->scene->objects->num;
+    builder->keys = malloc(num + 1);
+    builder->needs = malloc((num + 1) * sizeof *builder->needs);
+    builder->parents = malloc((num + 1) * sizeof *builder->parents);
+    if (!builder->keys || !builder->needs || !builder->parents)
         return false;
-    for (uint32_t i = 0; i < objects->num; i++) {
-        builder->keys[i] = key_of(builder->scene, &objects->data[i]);
-        builder->parents[i] = i;
-    }
+    csg_parallel(builder->scene->num_threads, num_chunks(num), find_keys, builder);
     if (builder->scene->carriers->num_shared == 0)
         return true;
     if (!join_objects(builder))
@@ -262,10 +283,22 @@ static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[N
         crowd->leaf[at] = scene->trees[object->layer].data[object->begin].leaf;
         const uint32_t root = root_of(builder->parents, i);
         crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
-        crowd->need[at] = (float)csg_precision_need(&scene->sharpness[i]);
+        crowd->need[at] = builder->needs[i];
         crowd->least_need = fminf(crowd->least_need, crowd->need[at]);
-        put_outline(crowd, at, scene);
     }
+}
+
+struct outlining {
+    struct csg_crowd *crowd;
+    const struct csgcast_scene *scene;
+};
+
+static void put_outlines(void *user, size_t chunk)
+{
+    const struct outlining *outlining = user;
+    const size_t num = outlining->crowd->num;
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < num; i++)
+        put_outline(outlining->crowd, i, outlining->scene);
 }
 
 static enum csg_cover cover_of(const struct csgcast_scene *scene,
@@ -322,10 +355,13 @@ struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
     }
     if (ok) {
         fill(crowd, &builder, next);
+        csg_parallel(scene->num_threads, num_chunks(crowd->num), put_outlines,
+                     &(struct outlining){crowd, scene});
         csg_crowd_recolor(crowd, scene);
         ok = number_kin(crowd, &builder);
     }
     free(builder.keys);
+    free(builder.needs);
     free(builder.parents);
     if (ok)
         return crowd;

@@ -38,7 +38,7 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
 
 void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
-    free(scene->sharpness);
+    csg_sharpness_destroy(scene->sharpness);
     free(scene->ways.data);
     csg_cells_store_destroy(scene->cells);
     csg_crowd_destroy(scene->crowd);

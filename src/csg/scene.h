@@ -52,7 +52,7 @@ struct csg_cells_store;
 struct csg_crowd;
 struct csg_edits;
 struct csg_plan;
-struct csg_sharpness;
+struct csg_sharpnesses;
 
 struct csgcast_scene {
     struct csg_log log;
@@ -75,7 +75,7 @@ struct csgcast_scene {
     struct csg_carriers *carriers; /* distinct surfaces */
     struct csg_crowd *crowd;       /* objects of one solid each */
     struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
-    struct csg_sharpness *sharpness; /* by object: what its geometry asks of numbers */
+    struct csg_sharpnesses *sharpness; /* of objects: what their geometry asks of numbers */
     struct csg_cells_store *cells; /* cells/: of objects, on demand */
     struct csg_box box;            /* of the model */
     struct csg_box drawn;          /* of the model, % and # */

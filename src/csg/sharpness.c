@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
 #include "csg/carrier_edit.h"
 #include "csg/flats.h"
 #include "csg/wall.h"
@@ -15,6 +16,9 @@
 
 /* Points of a quadric's surface that show how far it is from another. */
 #define NUM_SAMPLES 24
+
+/* Objects of one solid with more planes have their sharpness kept: finding it takes a while. */
+#define MAX_PLANES_OF_ONE 8
 
 /* A quadric of the object at hand. */
 struct surface {
@@ -258,10 +262,24 @@ static void clear_marks(const struct csg_node *nodes, const struct csg_object *o
             marks[nodes[i].leaf] = 0;
 }
 
+/* Where the object is, and how large. */
+static bool note_planes(struct csg_sharpness *sharp, const struct csg_object *object,
+                        struct surfaces *surfaces, double *radius)
+{
+    const struct csg_box *box = &object->box;
+    const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
+    *radius =
+        known ? 0.5 * csg_length(csg_sub(box->hi, box->lo)) : radius_of_planes(&surfaces->planes);
+    return csg_flats_note(&surfaces->planes,
+                          known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
+                          *radius, sharp);
+}
+
 static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
                         const struct csg_object *object, struct surfaces *surfaces, uint8_t *marks)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
+    double radius;
     surfaces->planes.all.num = surfaces->quadrics.num = 0;
     clear_marks(nodes, object, marks); /* of another object with the same leaves */
     if (!note_stacks(sharp, scene, object, marks))
@@ -273,14 +291,36 @@ static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene 
         if (!add_leaf(surfaces, scene, &nodes[i], marks[nodes[i].leaf]))
             return false;
     }
-    const struct csg_box *box = &object->box;
-    const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
-    const double radius =
-        known ? 0.5 * csg_length(csg_sub(box->hi, box->lo)) : radius_of_planes(&surfaces->planes);
+    if (!note_planes(sharp, object, surfaces, &radius))
+        return false;
     note_all_quadrics(sharp, scene, marks, surfaces, radius);
-    return csg_flats_note(&surfaces->planes,
-                          known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
-                          radius, sharp);
+    return true;
+}
+
+/* ---- objects of one solid ------------------------------------------------------------------ */
+
+static bool is_of_one(const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
+    return object->end == object->begin + 1 && node->op == CSG_LEAF && !node->spare &&
+           scene->leaves[node->leaf].shape.num_planes <= MAX_PLANES_OF_ONE;
+}
+
+/* What note_object finds: one frustum is no stack, and one quadric has no other. */
+static bool note_one(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                     const struct csg_object *object)
+{
+    const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
+    struct surfaces surfaces = {.planes = {.all = {0}}};
+    double radius;
+    note_leaf(sharp, scene, node->leaf, 0);
+    if (scene->leaves[node->leaf].shape.num_planes == 0)
+        return true;
+    const bool ok = add_leaf(&surfaces, scene, node, 0) &&
+                    note_planes(sharp, object, &surfaces, &radius);
+    csg_flats_finish(&surfaces.planes);
+    free(surfaces.quadrics.data);
+    return ok;
 }
 
 /* ---- objects that an edit has not changed ---------------------------------------------------- */
@@ -341,7 +381,7 @@ static const struct csg_sharpness *find_kept(const struct csgcast_scene *scene,
     while (*at < others->num && place_of(old, &others->data[*at]) < place_of(scene, object))
         ++*at;
     return *at < others->num && is_same_object(scene, object, old, &others->data[*at])
-               ? &old->sharpness[*at]
+               ? &old->sharpness->kept[old->sharpness->places[*at]]
                : NULL;
 }
 
@@ -349,28 +389,98 @@ static const struct csg_sharpness *find_kept(const struct csgcast_scene *scene,
 
 static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
 
-struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene,
-                                           const struct csg_before *before)
+struct csg_sharpness csg_sharpness_of(const struct csgcast_scene *scene, size_t object)
 {
-    const struct csgcast_scene *old = before && scene->carriers->renewed ? before->scene : NULL;
-    const size_t num = scene->objects->num;
-    size_t at = 0;
-    struct csg_sharpness *sharp = malloc((num + 1) * sizeof *sharp);
+    const uint32_t place = scene->sharpness->places[object];
+    if (place != CSG_SHARPNESS_OF_ONE)
+        return scene->sharpness->kept[place];
+    struct csg_sharpness sharp = blunt;
+    const bool ok = note_one(&sharp, scene, &scene->objects->data[object]);
+    return ok ? sharp : (struct csg_sharpness){{0}, {0}};
+}
+
+/* Objects that one core looks at, at a time; fewer are through before threads have started. */
+enum { NUM_TASKS = 32, MIN_OBJECTS = 4096 };
+
+struct filling {
+    const struct csgcast_scene *scene, *old;
+    struct csg_sharpnesses *all;
+    bool ok[NUM_TASKS];
+};
+
+static bool fill(const struct filling *filling, size_t begin, size_t end)
+{
+    const struct csgcast_scene *scene = filling->scene, *old = filling->old;
     struct surfaces surfaces = {.planes = {.all = {0}}};
     uint8_t *marks = calloc(scene->num_leaves + 1, 1);
-    bool ok = sharp && marks;
-    for (size_t i = 0; i < num && ok; i++) {
+    size_t at = 0;
+    bool ok = marks != NULL;
+    for (size_t i = begin; i < end && ok; i++) {
+        if (filling->all->places[i] == CSG_SHARPNESS_OF_ONE)
+            continue;
         const struct csg_object *object = &scene->objects->data[i];
         const struct csg_sharpness *kept = old ? find_kept(scene, object, old, &at) : NULL;
-        sharp[i] = kept ? *kept : blunt;
-        ok = kept || note_object(&sharp[i], scene, object, &surfaces, marks);
+        struct csg_sharpness *sharp = &filling->all->kept[filling->all->places[i]];
+        *sharp = kept ? *kept : blunt;
+        ok = kept || note_object(sharp, scene, object, &surfaces, marks);
     }
     free(marks);
     csg_flats_finish(&surfaces.planes);
     free(surfaces.quadrics.data);
-    if (!ok) {
-        free(sharp);
+    return ok;
+}
+
+static void fill_task(void *user, size_t task)
+{
+    struct filling *filling = user;
+    const size_t num = filling->scene->objects->num;
+    filling->ok[task] = fill(filling, num * task / NUM_TASKS, num * (task + 1) / NUM_TASKS);
+}
+
+static bool fill_all(struct filling *filling, size_t num_kept)
+{
+    if (filling->old || num_kept < MIN_OBJECTS)
+        return num_kept == 0 || fill(filling, 0, filling->scene->objects->num);
+    csg_parallel(filling->scene->num_threads, NUM_TASKS, fill_task, filling);
+    bool ok = true;
+    for (size_t i = 0; i < NUM_TASKS; i++)
+        ok &= filling->ok[i];
+    return ok;
+}
+
+static uint32_t find_places(const struct csgcast_scene *scene, uint32_t *places)
+{
+    uint32_t num = 0;
+    for (size_t i = 0; i < scene->objects->num; i++)
+        places[i] = is_of_one(scene, &scene->objects->data[i]) ? CSG_SHARPNESS_OF_ONE : num++;
+    return num;
+}
+
+struct csg_sharpnesses *csg_sharpness_create(const struct csgcast_scene *scene,
+                                             const struct csg_before *before)
+{
+    struct csg_sharpnesses *all = calloc(1, sizeof *all);
+    struct filling filling = {.scene = scene,
+                              .old = before && scene->carriers->renewed ? before->scene : NULL,
+                              .all = all};
+    if (!all)
         return NULL;
+    all->places = malloc((scene->objects->num + 1) * sizeof *all->places);
+    if (all->places) {
+        const size_t num = find_places(scene, all->places);
+        all->kept = malloc((num + 1) * sizeof *all->kept);
+        if (all->kept && fill_all(&filling, num))
+            return all;
     }
-    return sharp;
+    csg_sharpness_destroy(all);
+    return NULL;
+}
+
+void csg_sharpness_destroy(struct csg_sharpnesses *sharpness)
+{
+    if (!sharpness)
+        return;
+    free(sharpness->places);
+    free(sharpness->kept);
+    free(sharpness);
 }

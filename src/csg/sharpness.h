@@ -39,10 +39,22 @@ struct csg_sharpness {
  * like it are near: with all, in objects of that size. */
 #define CSG_FINE_NEIGHBOURS 64
 
-/* One for each object. before: of an edit, or NULL: what has not changed since is taken from there,
- * which makes no difference. NULL: out of memory. */
-struct csg_sharpness *csg_sharpness_create(const struct csgcast_scene *scene,
-                                           const struct csg_before *before);
+/* Of objects. Those of one solid are most of a large scene, and found soon: theirs is not kept. */
+struct csg_sharpnesses {
+    uint32_t *places; /* by object: its place in kept, or CSG_SHARPNESS_OF_ONE */
+    struct csg_sharpness *kept;
+};
+
+#define CSG_SHARPNESS_OF_ONE UINT32_MAX
+
+/* before: of an edit, or NULL: what has not changed since is taken from there, which makes no
+ * difference. NULL: out of memory. */
+struct csg_sharpnesses *csg_sharpness_create(const struct csgcast_scene *scene,
+                                             const struct csg_before *before);
+void csg_sharpness_destroy(struct csg_sharpnesses *sharpness);
+
+/* That of scene->sharpness for an object. Out of memory: as if it were as fine as can be. */
+struct csg_sharpness csg_sharpness_of(const struct csgcast_scene *scene, size_t object);
 
 /* The value, where it is the least. */
 void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,

@@ -170,9 +170,10 @@ struct csg_precision csg_precision_of(const struct csg_screen *screen,
     const struct csg_object *object = &scene->objects->data[index];
     double range[2];
     csg_depth_range(screen, csg_box_is_finite(&object->box) ? &object->box : focus, range);
-    if (range[1] >= range[0] && (screen->orthographic || range[1] > 0))
-        judge_geometry(screen, &scene->sharpness[index], range, across(&object->box, focus),
-                       &precision);
+    if (range[1] >= range[0] && (screen->orthographic || range[1] > 0)) {
+        const struct csg_sharpness sharp = csg_sharpness_of(scene, index);
+        judge_geometry(screen, &sharp, range, across(&object->box, focus), &precision);
+    }
     csg_depth_range(screen, &object->box, range);
     if (!screen->orthographic && screen->a == 0 && range[1] > MAX_RATIO * range[0])
         judge_near(screen, scene, object, &precision);

@@ -154,12 +154,14 @@ static void compare(const struct csgcast_scene *scene, int edit)
           a->num_planes - a->num_unused_planes, a->num_quadrics - a->num_unused_quadrics,
           b->num_planes, b->num_quadrics);
     csg_carriers_destroy(b);
-    struct csg_sharpness *sharpness = csg_sharpness_create(scene, NULL);
-    for (size_t i = 0; i < scene->objects->num && sharpness; i++)
-        CHECK(memcmp(&sharpness[i], &scene->sharpness[i], sizeof *sharpness) == 0,
-              "edit %d: object %zu is as fine as another", edit, i);
-    CHECK(sharpness != NULL, "out of memory");
-    free(sharpness);
+    struct csgcast_scene anew = *scene;
+    anew.sharpness = csg_sharpness_create(scene, NULL);
+    for (size_t i = 0; i < scene->objects->num && anew.sharpness; i++) {
+        const struct csg_sharpness x = csg_sharpness_of(scene, i), y = csg_sharpness_of(&anew, i);
+        CHECK(memcmp(&x, &y, sizeof x) == 0, "edit %d: object %zu is as fine as another", edit, i);
+    }
+    CHECK(anew.sharpness != NULL, "out of memory");
+    csg_sharpness_destroy(anew.sharpness);
 }
 
 static size_t num_kept;
