@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/renderer.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -175,6 +176,24 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
     return csg_gl_leave(renderer->gl) && drawn;
 }
 
+/*
+ * Shaders square distances in float: of a scene that reaches further from the eye than the one, or
+ * not as far as the other, they would show nothing, or nonsense. The CPU casts these.
+ */
+#define MAX_DISTANCE 1e17
+#define MIN_DISTANCE 1e-15
+
+static bool is_within_float(const struct csg_request *request)
+{
+    double lo[3], hi[3], reach = 0;
+    const double *eye = request->frustum.eye;
+    if (!csgcast_scene_get_bounds(request->scene, lo, hi))
+        return true;
+    for (int i = 0; i < 3; i++)
+        reach = fmax(reach, fmax(fabs(lo[i] - eye[i]), fabs(hi[i] - eye[i])));
+    return (reach > MIN_DISTANCE && reach < MAX_DISTANCE) || isinf(reach);
+}
+
 /* A context that could not be made says so once; every picture fails. */
 static bool is_ready(struct csgcast_renderer *renderer)
 {
@@ -201,10 +220,11 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
         &request.frustum, request.width, request.height, request.scheme,
         request.view->cut_color, renderer->num_threads};
     const struct csg_reference_part whole = {.num_rows = request.height};
-    const bool ok = renderer->gl ? render_with_gl(renderer, &request)
-                                 : csg_reference_render(scene, &params, &whole, request.image) ||
-                                       csg_log_memory(&renderer->log);
-    if (!renderer->gl)
+    const bool by_gl = renderer->gl && is_within_float(&request);
+    const bool ok = by_gl ? render_with_gl(renderer, &request)
+                          : csg_reference_render(scene, &params, &whole, request.image) ||
+                                csg_log_memory(&renderer->log);
+    if (!by_gl)
         memcpy(renderer->stats.variants, "reference", sizeof "reference");
     if (ok)
         count_hits(renderer, &request);
