@@ -3,6 +3,7 @@
 /* csgcast render: scene in, image file out. */
 
 #include "commands.h"
+#include "ending.h"
 #include "messages.h"
 #include "options.h"
 #include "output.h"
@@ -244,6 +245,8 @@ static enum csg_cli_exit render_still(const struct csg_cli_options *options, con
     struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
     const struct drawing drawing = {options, scene, renderer};
     const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
+    if (result == CSG_EXIT_OK && options->renderer.backend != CSGCAST_BACKEND_REFERENCE)
+        csg_ending_now((int)result);
     csgcast_scene_destroy(scene);
     return result;
 }

@@ -11,4 +11,8 @@
 /* To be called before any other thread is started, and again in a child made by fork. */
 void csg_ending_begin(void);
 
+/* Ends the process at once, all files being written: its memory and its context go with it, which
+ * takes a tenth of what freeing them piece by piece does. */
+_Noreturn void csg_ending_now(int code);
+
 #endif

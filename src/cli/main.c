@@ -13,6 +13,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 static const struct csg_cli_command *const commands[] = {&csg_command_render, &csg_command_info,
                                                          &csg_command_export, &csg_command_compare,
                                                          &csg_command_bench,  &csg_command_report,
@@ -139,6 +143,14 @@ static enum csg_cli_exit run_command(const struct csg_cli_command *command, int 
     return result;
 }
 
+/* glibc gives threads heaps that grow by the page, each a system call: a tenth of a first picture. */
+static void share_heap(void)
+{
+#ifdef M_ARENA_MAX
+    mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 2) {
@@ -153,6 +165,7 @@ int main(int argc, char **argv)
     const struct csg_cli_command *command = find_command(name);
     if (!command)
         return (int)complain_command(name);
+    share_heap();
     csg_ending_begin();
     return (int)run_command(command, argc - 2, argv + 2);
 }

@@ -131,7 +131,8 @@ static void gather_bytes(const struct csg_image_file *file, size_t start, png_by
         const size_t stride = file->channels[c].stride;
         const uint8_t *from = file->channels[c].bytes + start * stride;
         for (size_t x = 0; x < width; x++)
-            memset(row + repeats * (x * num + c), from[x * stride], repeats);
+            for (size_t i = 0; i < repeats; i++)
+                row[repeats * (x * num + c) + i] = from[x * stride];
     }
 }
 

@@ -58,11 +58,14 @@ static bool draw_bands(struct csg_picture *picture)
     const struct csg_request *request = picture->request;
     int rows = MAX_BAND_PIXELS / request->width;
     rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
-    if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows,
-                            picture->bytes))
+    const struct csg_targets_use use = {picture->batches.direct, picture->bytes,
+                                        picture->want_geometry, picture->want_leaf};
+    if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows, &use))
         return false;
     const size_t num_pixels = (size_t)request->width * (size_t)rows;
-    float *pixels = picture->bytes ? NULL : malloc(4 * num_pixels * sizeof *pixels);
+    picture->num_rows = rows;
+    const size_t num_read = (size_t)request->width * (size_t)csg_picture_rows_at_once(picture);
+    float *pixels = picture->bytes ? NULL : malloc(4 * num_read * sizeof *pixels);
     const bool marks = picture->batches.may_give_up && !picture->batches.direct;
     if (marks)
         picture->visible = malloc(2 * num_pixels * sizeof *picture->visible);
@@ -167,12 +170,13 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
         .scheme = csg_colorscheme_find(NULL), .width = 1, .height = 1, .resolver = -1};
     struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = &request,
                                   .num_rows = 1, .bytes = true, .rect = {-1, -1, 1, 1}};
+    const struct csg_targets_use use = {.bytes = true};
     if (!csg_gl_enter(renderer->gl))
         return;
     picture.shade =
         csg_programs_get(&renderer->programs, csg_source_shade(false, true, CSG_FEATURE_SHARED));
     if (picture.shade && csg_upload_frame(renderer) &&
-        csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, true)) {
+        csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, &use)) {
         csg_passes_draw_nothing(&picture);
         renderer->gl->Finish();
     }

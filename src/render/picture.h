@@ -30,7 +30,8 @@ void csg_passes_draw_band(const struct csg_picture *picture);
 void csg_passes_draw_nothing(const struct csg_picture *picture);
 
 /* Copies the band that has been drawn to the caller's buffers. pixels: room for four floats a pixel
- * of it; NULL where only bytes are asked for. */
+ * of csg_picture_rows_at_once rows; NULL where only bytes are asked for. */
+int csg_picture_rows_at_once(const struct csg_picture *picture);
 void csg_picture_read_band(const struct csg_picture *picture, float *pixels);
 
 /* What the picture took, into the renderer's statistics. */

@@ -10,15 +10,25 @@
 #define GL_PACK_INVERT_MESA 0x8758 /* GL_MESA_pack_invert: rows from the top; not in all headers */
 #endif
 
-/* Reads one attachment of the band, components floats a pixel. */
+/* Memory that is used again is faster than memory that is new. */
+#define MAX_PIXELS_AT_ONCE (1 << 15)
+
+/* Some rows of a band. */
+struct rows {
+    int first, num;
+    float *pixels;
+};
+
+/* Reads one attachment. */
 static void read_attachment(const struct csg_picture *picture, GLenum attachment, GLenum format,
-                            float *pixels)
+                            const struct rows *rows)
 {
     struct csg_gl *gl = picture->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.shade_fbo);
     gl->ReadBuffer(attachment);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, picture->request->width, picture->num_rows, format, GL_FLOAT, pixels);
+    gl->ReadPixels(0, rows->first, picture->request->width, rows->num, format, GL_FLOAT,
+                   rows->pixels);
 }
 
 /* The caller's row of a band's row. */
@@ -27,13 +37,13 @@ static size_t image_row(const struct csg_picture *picture, int row)
     return (size_t)(picture->request->height - 1 - picture->first_row - row);
 }
 
-static void copy_color(const struct csg_picture *picture, const float *pixels)
+static void copy_color(const struct csg_picture *picture, const struct rows *rows)
 {
     const size_t stride = 4 * (size_t)picture->request->width;
     const struct csgcast_image *image = picture->request->image;
-    for (int row = 0; row < picture->num_rows; row++) {
-        const float *from = pixels + (size_t)row * stride;
-        const size_t to = image_row(picture, row) * stride;
+    for (int row = 0; row < rows->num; row++) {
+        const float *from = rows->pixels + (size_t)row * stride;
+        const size_t to = image_row(picture, rows->first + row) * stride;
         if (image->rgba)
             memcpy(image->rgba + to, from, stride * sizeof *from);
         if (image->rgba8)
@@ -41,13 +51,13 @@ static void copy_color(const struct csg_picture *picture, const float *pixels)
     }
 }
 
-static void copy_geometry(const struct csg_picture *picture, const float *pixels)
+static void copy_geometry(const struct csg_picture *picture, const struct rows *rows)
 {
     const struct csgcast_image *image = picture->request->image;
     const size_t width = (size_t)picture->request->width;
-    for (int row = 0; row < picture->num_rows; row++) {
-        const float *from = pixels + (size_t)row * 4 * width;
-        const size_t to = image_row(picture, row) * width;
+    for (int row = 0; row < rows->num; row++) {
+        const float *from = rows->pixels + (size_t)row * 4 * width;
+        const size_t to = image_row(picture, rows->first + row) * width;
         for (size_t x = 0; x < width; x++, from += 4) {
             if (image->z)
                 image->z[to + x] = from[3];
@@ -57,12 +67,12 @@ static void copy_geometry(const struct csg_picture *picture, const float *pixels
     }
 }
 
-static void copy_leaf(const struct csg_picture *picture, const float *pixels)
+static void copy_leaf(const struct csg_picture *picture, const struct rows *rows)
 {
     const size_t width = (size_t)picture->request->width;
-    for (int row = 0; row < picture->num_rows; row++)
-        memcpy(picture->request->image->id + image_row(picture, row) * width,
-               pixels + (size_t)row * width, width * sizeof *pixels);
+    for (int row = 0; row < rows->num; row++)
+        memcpy(picture->request->image->id + image_row(picture, rows->first + row) * width,
+               rows->pixels + (size_t)row * width, width * sizeof *rows->pixels);
 }
 
 static void turn_over(uint8_t *rows, size_t num_rows, size_t stride)
@@ -97,22 +107,37 @@ static void read_bytes(const struct csg_picture *picture)
         turn_over(rows, (size_t)picture->num_rows, stride);
 }
 
+static void read_floats(const struct csg_picture *picture, const struct rows *rows)
+{
+    if (picture->request->image->rgba || picture->request->image->rgba8) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, rows);
+        copy_color(picture, rows);
+    }
+    if (picture->want_geometry) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT1, GL_RGBA, rows);
+        copy_geometry(picture, rows);
+    }
+    if (picture->want_leaf) {
+        read_attachment(picture, GL_COLOR_ATTACHMENT2, GL_RED, rows);
+        copy_leaf(picture, rows);
+    }
+}
+
+int csg_picture_rows_at_once(const struct csg_picture *picture)
+{
+    const int most = MAX_PIXELS_AT_ONCE / picture->request->width;
+    return most < 1 ? 1 : most < picture->num_rows ? most : picture->num_rows;
+}
+
 void csg_picture_read_band(const struct csg_picture *picture, float *pixels)
 {
+    const int most = csg_picture_rows_at_once(picture);
     if (picture->bytes) {
         read_bytes(picture);
         return;
     }
-    if (picture->request->image->rgba || picture->request->image->rgba8) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT0, GL_RGBA, pixels);
-        copy_color(picture, pixels);
-    }
-    if (picture->want_geometry) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT1, GL_RGBA, pixels);
-        copy_geometry(picture, pixels);
-    }
-    if (picture->want_leaf) {
-        read_attachment(picture, GL_COLOR_ATTACHMENT2, GL_RED, pixels);
-        copy_leaf(picture, pixels);
+    for (int row = 0; row < picture->num_rows; row += most) {
+        const int left = picture->num_rows - row;
+        read_floats(picture, &(struct rows){row, most < left ? most : left, pixels});
     }
 }

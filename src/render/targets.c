@@ -27,27 +27,35 @@ static bool is_complete(struct csg_gl *gl, const struct csg_targets *targets)
     return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-static bool make_geometry(struct csg_targets *targets, struct csg_gl *gl)
+static void make_depth(struct csg_targets *targets, struct csg_gl *gl)
 {
-    targets->visible =
-        make_texture(gl, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, targets);
     gl->GenRenderbuffers(1, &targets->depth);
     gl->BindRenderbuffer(GL_RENDERBUFFER, targets->depth);
     gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, targets->width,
                             targets->height);
+}
+
+static bool make_geometry(struct csg_targets *targets, struct csg_gl *gl)
+{
+    targets->visible = make_texture(gl, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, targets);
     gl->GenFramebuffers(1, &targets->geometry_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->geometry_fbo);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->visible);
     return is_complete(gl, targets);
 }
 
-static bool make_floats(struct csg_targets *targets, struct csg_gl *gl)
+static bool make_floats(struct csg_targets *targets, struct csg_gl *gl,
+                        const struct csg_targets_use *use)
 {
-    targets->color = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
-    targets->geometry = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
-    targets->leaf = make_texture(gl, GL_R32F, GL_RED, GL_FLOAT, targets);
-    gl->GenFramebuffers(1, &targets->shade_fbo);
+    if (!targets->shade_fbo)
+        gl->GenFramebuffers(1, &targets->shade_fbo);
     gl->BindFramebuffer(GL_FRAMEBUFFER, targets->shade_fbo);
+    if (!targets->color)
+        targets->color = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
+    if (!targets->geometry && use->geometry)
+        targets->geometry = make_texture(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, targets);
+    if (!targets->leaf && use->leaf)
+        targets->leaf = make_texture(gl, GL_R32F, GL_RED, GL_FLOAT, targets);
     attach(gl, GL_COLOR_ATTACHMENT0, targets->color);
     attach(gl, GL_COLOR_ATTACHMENT1, targets->geometry);
     attach(gl, GL_COLOR_ATTACHMENT2, targets->leaf);
@@ -64,19 +72,21 @@ static bool make_bytes(struct csg_targets *targets, struct csg_gl *gl)
 }
 
 bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
-                        bool bytes)
+                        const struct csg_targets_use *use)
 {
     bool ok = true;
     if (targets->width != width || targets->height != height) {
         csg_targets_finish(targets, gl);
         targets->width = width;
         targets->height = height;
-        ok = make_geometry(targets, gl);
+        make_depth(targets, gl);
     }
-    if (ok && bytes && !targets->bytes_fbo)
+    if (!use->direct && !targets->geometry_fbo)
+        ok = make_geometry(targets, gl);
+    if (ok && use->bytes && !targets->bytes_fbo)
         ok = make_bytes(targets, gl);
-    if (ok && !bytes && !targets->shade_fbo)
-        ok = make_floats(targets, gl);
+    if (ok && !use->bytes)
+        ok = make_floats(targets, gl, use);
     if (ok)
         return true;
     csg_log_error(&gl->log, CSGCAST_MESSAGE_CONTEXT,

@@ -8,19 +8,24 @@
 
 struct csg_targets {
     int width, height; /* of one band */
-    GLuint geometry_fbo;
-    GLuint shade_fbo; /* 0: not asked for yet, as bytes_fbo */
-    GLuint bytes_fbo;
+    GLuint geometry_fbo, shade_fbo, bytes_fbo; /* 0: not asked for yet, as all textures */
     GLuint visible;  /* RG32UI: what shaders/passes/geometry.frag.glsl writes */
     GLuint depth;
     GLuint color, geometry, leaf; /* RGBA32F; normal and distance RGBA32F; leaf index R32F */
     GLuint bytes;                 /* RGBA8: colour alone */
 };
 
-/* (Re)allocates for bands of that size, to be shaded as bytes or as floats. false, with a message,
- * when the driver refuses. */
+/* What a picture is drawn into; memory that nobody touches takes time as well. */
+struct csg_targets_use {
+    bool direct;         /* without a geometry pass */
+    bool bytes;          /* colours as bytes; else as floats */
+    bool geometry, leaf; /* as well */
+};
+
+/* (Re)allocates for bands of that size. What is there already stays. false, with a message, when
+ * the driver refuses. */
 bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
-                        bool bytes);
+                        const struct csg_targets_use *use);
 void csg_targets_finish(struct csg_targets *targets, struct csg_gl *gl);
 
 #endif
