@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/parallel.h"
 #include "csg/carrier.h"
 #include "csg/side.h"
 #include "csg/tree.h"
@@ -82,19 +83,39 @@ void csg_sort_wholes(struct csgcast_scene *scene)
         qsort(scene->wholes.data, scene->wholes.num, sizeof *scene->wholes.data, compare_begins);
 }
 
+/* Runs of nodes that cores look at; smaller trees are through before threads have started. */
+enum { NUM_TASKS = 32, MIN_NODES = 20000 };
+
+struct start {
+    const struct csgcast_scene *scene;
+    const struct csg_tree *tree;
+    struct csg_box boxes[NUM_TASKS];
+};
+
+static void frame_task(void *user, size_t task)
+{
+    struct start *start = user;
+    const size_t num = start->tree->num;
+    start->boxes[task] = csg_box_empty;
+    for (size_t i = num * task / NUM_TASKS; i < num * (task + 1) / NUM_TASKS; i++) {
+        const struct csg_node *node = &start->tree->data[i];
+        if (node->op != CSG_LEAF || node->negated || csg_find_whole(start->scene, node->leaf))
+            continue;
+        const struct csg_box box = written_box(start->scene, node->leaf);
+        if (csg_box_is_finite(&box))
+            start->boxes[task] = csg_box_union(&start->boxes[task], &box);
+    }
+}
+
 void csg_framing_start(struct csgcast_scene *scene)
 {
     scene->written = csg_box_empty;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
-        const struct csg_tree *tree = &scene->trees[layer];
-        for (size_t i = 0; i < tree->num; i++) {
-            const struct csg_node *node = &tree->data[i];
-            if (node->op != CSG_LEAF || node->negated || csg_find_whole(scene, node->leaf))
-                continue;
-            const struct csg_box box = written_box(scene, node->leaf);
-            if (csg_box_is_finite(&box))
-                scene->written = csg_box_union(&scene->written, &box);
-        }
+        struct start start = {.scene = scene, .tree = &scene->trees[layer]};
+        const bool is_large = start.tree->num >= MIN_NODES;
+        csg_parallel(is_large ? scene->num_threads : 1, NUM_TASKS, frame_task, &start);
+        for (size_t i = 0; i < NUM_TASKS; i++)
+            scene->written = csg_box_union(&scene->written, &start.boxes[i]);
     }
 }
 

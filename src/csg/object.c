@@ -35,29 +35,55 @@ bool csg_object_is_one_node(const struct csgcast_scene *scene, const struct csg_
     return first != UINT32_MAX;
 }
 
-static struct csg_box node_box(const struct csg_tree *tree, const struct csg_box *boxes,
-                               uint32_t i)
+/* boxes: of the nodes from begin on. */
+static struct csg_box node_box(const struct csg_tree *tree, uint32_t begin,
+                               const struct csg_box *boxes, uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
     struct csg_box box = node->op == CSG_OR ? csg_box_empty : csg_box_all;
     for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
-        box = node->op == CSG_OR ? csg_box_union(&box, &boxes[child])
-                                 : csg_box_intersection(&box, &boxes[child]);
+        box = node->op == CSG_OR ? csg_box_union(&box, &boxes[child - begin])
+                                 : csg_box_intersection(&box, &boxes[child - begin]);
     return box;
+}
+
+static struct csg_box literal_box(const struct csgcast_scene *scene, const struct csg_node *node)
+{
+    if (node->negated)
+        return csg_box_all;
+    return node->spare ? csg_box_empty : csg_leaf_box(&scene->leaves[node->leaf]);
+}
+
+static void subtree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                          uint32_t begin, uint32_t end, struct csg_box *boxes)
+{
+    for (uint32_t i = end; i-- > begin;) {
+        const struct csg_node *node = &tree->data[i];
+        boxes[i - begin] = node->op == CSG_LEAF ? literal_box(scene, node)
+                                                : node_box(tree, begin, boxes, i);
+    }
 }
 
 void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tree,
                     struct csg_box *boxes)
 {
-    for (size_t i = tree->num; i-- > 0;) {
-        const struct csg_node *node = &tree->data[i];
-        if (node->op != CSG_LEAF)
-            boxes[i] = node_box(tree, boxes, (uint32_t)i);
-        else if (node->negated)
-            boxes[i] = csg_box_all;
-        else
-            boxes[i] = node->spare ? csg_box_empty : csg_leaf_box(&scene->leaves[node->leaf]);
+    subtree_boxes(scene, tree, 0, (uint32_t)tree->num, boxes);
+}
+
+bool csg_operand_box(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                     uint32_t operand, struct csg_boxes *room, struct csg_box *box)
+{
+    const struct csg_node *node = &tree->data[operand];
+    room->num = 0;
+    if (node->op == CSG_LEAF) {
+        *box = literal_box(scene, node);
+        return true;
     }
+    if (!csg_array_reserve(room, node->end - operand))
+        return false;
+    subtree_boxes(scene, tree, operand, node->end, room->data);
+    *box = room->data[0];
+    return true;
 }
 
 /* Solids have volume: boxes that merely touch have nothing in common. */
@@ -86,41 +112,73 @@ static bool is_relevant(const struct csg_box *box, const struct csg_box *context
     return among_sheets ? csg_box_overlaps(box, context) : !is_disjoint(box, context);
 }
 
-/* Walks down with the box in which a node matters and marks the leaves that do. */
-static void mark_relevant(const struct csgcast_scene *scene, const struct csg_tree *tree,
-                            const struct csg_box *boxes, struct csg_box *contexts, uint8_t *known)
+/* What is left of a tree where boxes have spoken. */
+struct pruner {
+    const struct csgcast_scene *scene;
+    const struct csg_tree *tree;
+    bool among_sheets;
+    struct csg_boxes boxes, contexts; /* of the nodes of an operand; where they matter */
+    uint8_t *known;                   /* by leaf */
+    size_t num_marked;
+};
+
+static void mark_leaf(struct pruner *pruner, uint32_t leaf, const struct csg_box *context)
 {
-    const bool among_sheets = has_sheets(scene, tree);
-    contexts[0] = boxes[0];
-    for (uint32_t i = 0; i < tree->num; i++) {
+    const struct csg_box box = csg_leaf_box(&pruner->scene->leaves[leaf]);
+    if (!is_relevant(&box, context, pruner->among_sheets))
+        return;
+    pruner->known[leaf] = CSG_VARIES; /* also where another copy of it is irrelevant */
+    pruner->num_marked++;
+}
+
+/* Walks down an operand of the outermost union with the box in which a node matters and marks the
+ * leaves that do. */
+static bool mark_relevant(struct pruner *pruner, uint32_t operand)
+{
+    const struct csg_tree *tree = pruner->tree;
+    const uint32_t end = tree->data[operand].end;
+    struct csg_box box;
+    if (!csg_operand_box(pruner->scene, tree, operand, &pruner->boxes, &box) ||
+        !csg_array_reserve(&pruner->contexts, end - operand))
+        return false;
+    struct csg_box *contexts = pruner->contexts.data;
+    contexts[0] = csg_box_all;
+    for (uint32_t i = operand; i < end; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
-            const struct csg_box box = csg_leaf_box(&scene->leaves[node->leaf]);
-            if (is_relevant(&box, &contexts[i], among_sheets))
-                known[node->leaf] = CSG_VARIES; /* also where another copy of it is irrelevant */
+            mark_leaf(pruner, node->leaf, &contexts[i - operand]);
             continue;
         }
-        const struct csg_box inside = csg_box_intersection(&contexts[i], &boxes[i]);
+        const struct csg_box inside =
+            csg_box_intersection(&contexts[i - operand], &pruner->boxes.data[i - operand]);
         for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
-            contexts[child] = inside;
+            contexts[child - operand] = inside;
     }
+    return true;
+}
+
+static bool mark_all(struct pruner *pruner)
+{
+    const struct csg_tree *tree = pruner->tree;
+    pruner->among_sheets = has_sheets(pruner->scene, tree);
+    memset(pruner->known, CSG_NOTHING, pruner->scene->num_leaves + 1);
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        if (!mark_relevant(pruner, i))
+            return false;
+    return true;
 }
 
 bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
 {
     if (tree->num == 0)
         return true;
-    struct csg_box *boxes = malloc(2 * tree->num * sizeof *boxes);
-    uint8_t *known = malloc(scene->num_leaves + 1);
-    bool ok = boxes && known;
-    if (ok) {
-        memset(known, CSG_NOTHING, scene->num_leaves + 1);
-        csg_tree_boxes(scene, tree, boxes);
-        mark_relevant(scene, tree, boxes, boxes + tree->num, known);
-        ok = csg_tree_simplify(tree, known);
-    }
-    free(boxes);
-    free(known);
+    struct pruner pruner = {.scene = scene, .tree = tree, .known = malloc(scene->num_leaves + 1)};
+    const bool ok = pruner.known && mark_all(&pruner) &&
+                    (pruner.num_marked == csg_tree_count_leaves(tree) ||
+                     csg_tree_simplify(tree, pruner.known));
+    free(pruner.known);
+    free(pruner.boxes.data);
+    free(pruner.contexts.data);
     return ok;
 }
 
@@ -160,21 +218,27 @@ static bool is_crowded(const struct csg_tree *tree, uint32_t begin)
     return false;
 }
 
+size_t csg_count_operands(const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        num++;
+    return num;
+}
+
 static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
                         struct csg_objects *objects)
 {
     const struct csg_tree *tree = &scene->trees[layer];
-    struct csg_box *boxes = malloc((tree->num + 1) * sizeof *boxes);
-    if (!boxes)
-        return false;
-    csg_tree_boxes(scene, tree, boxes);
-    bool ok = true;
+    struct csg_boxes room = {0};
+    bool ok = csg_array_reserve(objects, csg_count_operands(tree));
     for (uint32_t i = csg_tree_first_operand(tree); i < tree->num && ok; i = tree->data[i].end) {
-        const struct csg_object object = {layer, layer, false, is_crowded(tree, i), i,
-                                          tree->data[i].end, boxes[i]};
-        ok = csg_array_push(objects, object);
+        struct csg_object *object = &objects->data[objects->num++];
+        *object = (struct csg_object){
+            layer, layer, false, is_crowded(tree, i), i, tree->data[i].end, csg_box_empty};
+        ok = csg_operand_box(scene, tree, i, &room, &object->box);
     }
-    free(boxes);
+    free(room.data);
     return ok;
 }
 

@@ -50,6 +50,18 @@ static inline struct csg_box csg_leaf_box(const struct csg_leaf *leaf)
 void csg_tree_boxes(const struct csgcast_scene *scene, const struct csg_tree *tree,
                     struct csg_box *boxes);
 
+struct csg_boxes {
+    struct csg_box *data;
+    size_t num, capacity;
+};
+
+/* The same of an operand of the outermost union alone. room: zeroed before the first of them; has
+ * the boxes of its nodes, where it is no leaf. false: out of memory. */
+bool csg_operand_box(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                     uint32_t operand, struct csg_boxes *room, struct csg_box *box);
+
+size_t csg_count_operands(const struct csg_tree *tree);
+
 /* Leaves out of the tree what boxes show to be irrelevant: operands of an intersection that miss
  * it, subtrahends outside of their minuend. false: out of memory. */
 bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree);

@@ -102,14 +102,6 @@ static void count_leaves(struct csgcast_scene *scene, size_t *num_drawn)
     info->kinds = scene->kinds;
 }
 
-static size_t count_operands(const struct csg_tree *tree)
-{
-    size_t num = 0;
-    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
-        num++;
-    return num;
-}
-
 static bool fill_tree_info(struct csgcast_scene *scene)
 {
     struct csgcast_scene_info *info = &scene->info;
@@ -120,7 +112,7 @@ static bool fill_tree_info(struct csgcast_scene *scene)
     info->num_dropped += scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
         const struct csg_tree *tree = &scene->trees[layer];
-        info->num_objects += count_operands(tree);
+        info->num_objects += csg_count_operands(tree);
         for (size_t i = 0; i < tree->num; i++)
             info->num_nodes += tree->data[i].op != CSG_LEAF;
     }
@@ -140,14 +132,15 @@ static void fill_carrier_info(struct csgcast_scene *scene)
 static bool add_tree_box(const struct csgcast_scene *scene, const struct csg_tree *tree,
                          struct csg_box *box)
 {
-    struct csg_box *boxes = malloc((tree->num + 1) * sizeof *boxes);
-    if (!boxes)
-        return false;
-    csg_tree_boxes(scene, tree, boxes);
-    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
-        *box = csg_box_union(box, &boxes[i]);
-    free(boxes);
-    return true;
+    struct csg_boxes room = {0};
+    bool ok = true;
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num && ok; i = tree->data[i].end) {
+        struct csg_box own;
+        ok = csg_operand_box(scene, tree, i, &room, &own);
+        *box = ok ? csg_box_union(box, &own) : *box;
+    }
+    free(room.data);
+    return ok;
 }
 
 static bool fill_boxes(struct csgcast_scene *scene)
