@@ -12,7 +12,7 @@
  * A third one stands in front of fontconfig's FcConfigAppFontAddFile, by which openscad takes what
  * use <x.ttf> names, and notes the file's name in that folder.
  *
- * It needs nothing but libc, so that it can be loaded into any program; where it cannot, ld.so
+ * It needs nothing but libc and libm, so that it can be loaded into any program; where it cannot, ld.so
  * leaves it out.
  */
 #include <climits>
@@ -59,27 +59,38 @@ bool is_output(const char *name, const char *mode)
            mode[0] == 'w';
 }
 
-bool reads_back(double value, int digits)
+bool text_reads_back(double value, int digits)
 {
     char text[64];
     snprintf(text, sizeof text, "%.*e", digits - 1, value);
     return strtod(text, nullptr) == value;
 }
 
-/* Six digits of what is not below 1e-3 end at the eighth place behind the point. Whether there is
- * more is told without text, since a large scene has a million numbers. */
-bool has_more_places(double value)
+/*
+ * At most 15 digits. Without a text where that can be, since a large scene has a million numbers: a
+ * whole number below 2^53 over a power of ten up to 10^22 is rounded once, as a reader rounds the
+ * digits (Clinger 1990).
+ */
+bool reads_back(double value, int digits)
 {
-    const double size = std::fabs(value), units = size * 1e8;
-    return size >= 1e-3 && size < 1e6 &&
-           std::fabs(units - static_cast<double>(static_cast<long long>(units + 0.5))) > 0.1;
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    const double size = std::fabs(value);
+    const double places = digits - 1 - std::floor(std::log10(size)); /* NaN and infinity: none */
+    if (!(places >= 0 && places <= 22))
+        return size == 0 || text_reads_back(value, digits);
+    const double power = powers[static_cast<int>(places)], whole = std::round(size * power);
+    if (whole >= powers[digits] || whole < powers[digits - 1])
+        return text_reads_back(value, digits);
+    return whole / power == size;
 }
 
 /* 17 digits always do (Steele and White 1990); 15 are what people write at most. */
 int digits_of(double value)
 {
     const int written = 15, all = 17;
-    if (!std::isfinite(value) || (!has_more_places(value) && reads_back(value, six)))
+    if (!std::isfinite(value) || reads_back(value, six))
         return six;
     return reads_back(value, written) ? written : all;
 }
