@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "scene/digits.h"
+#include "scene/plain.h"
 #include "scene/runs.h"
 
 /* What is still open around the current token. */
@@ -231,7 +232,22 @@ static void repeat(struct parser *parser, struct csg_parsed_node *node, const st
     advance(parser);
 }
 
-/* Reads the arguments of a node and, where they are long, remembers it. before: the lexer at its
+/* Checks the arguments of a node; behind is the lexer just behind them. */
+static enum csg_status check_arguments(struct parser *parser, bool is_text,
+                                       struct csg_lexer *behind)
+{
+    if (!is_text && csg_plain_skip(&parser->lexer)) {
+        *behind = parser->lexer;
+        advance(parser);
+        return CSG_DONE;
+    }
+    const enum csg_status status =
+        csg_arguments_read(&parser->arguments, &parser->lexer, &parser->token, parser->report);
+    *behind = parser->arguments.behind;
+    return status;
+}
+
+/* Checks the arguments of a node and, where they are long, remembers it. before: the lexer at its
  * name. */
 static enum csg_status read_arguments(struct parser *parser, uint32_t index,
                                       const struct csg_lexer *before)
@@ -240,17 +256,16 @@ static enum csg_status read_arguments(struct parser *parser, uint32_t index,
     struct csg_parsed_node *node = &parser->document->nodes.data[index];
     const bool is_text = csg_token_is_name(&parser->token, "text");
     parser->has_text |= is_text;
-    const enum csg_status status =
-        csg_arguments_read(&parser->arguments, lexer, &parser->token, parser->report);
-    const struct csg_lexer *behind = &parser->arguments.behind;
-    if (status != CSG_DONE || is_text || !csg_twins_want(behind->at - node->at))
+    struct csg_lexer behind;
+    const enum csg_status status = check_arguments(parser, is_text, &behind);
+    if (status != CSG_DONE || is_text || !csg_twins_want(behind.at - node->at))
         return status;
     const struct csg_twin twin = {.at = node->at,
-                                  .length = behind->at - node->at,
+                                  .length = behind.at - node->at,
                                   .node = index,
-                                  .num_lines = behind->line - before->line,
-                                  .line_begin = behind->line_begin - node->at,
-                                  .num_rounded = behind->num_rounded - before->num_rounded};
+                                  .num_lines = behind.line - before->line,
+                                  .line_begin = behind.line_begin - node->at,
+                                  .num_rounded = behind.num_rounded - before->num_rounded};
     node->twin = index;
     return csg_twins_add(&parser->twins, lexer, &twin) ? CSG_DONE : no_memory(parser);
 }
