@@ -4,8 +4,8 @@
 
 /*
  * Keys that a face is looked up by: hashes of cells that it is in, so that different ones may share
- * one. Faces that coincide are in one cell or in neighbours. Planes have two: by their normal to the
- * last bit and their offset, and by the place of both in coarse cells.
+ * one. Faces that coincide are in one cell or in neighbours. Planes have two: by their normal to
+ * the last bit and their offset, and by the place of both in coarse cells.
  */
 
 #include "csg/directions.h"

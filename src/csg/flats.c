@@ -2,10 +2,6 @@
 #include "csg/flats.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-/* From so many keys on they are sorted by their bytes. */
-#define MANY_KEYS 1024
 
 /* Heights that are compared side by side, which compilers make vectors of. */
 #define NUM_LANES 8
@@ -27,52 +23,17 @@ bool csg_flats_add(struct csg_flats *flats, const struct csg_plane *plane, uint3
                                              .turned = turned != turns}));
 }
 
-static int compare_keys(const void *a, const void *b)
-{
-    const struct csg_flat_key *x = a, *y = b;
-    if (x->place != y->place)
-        return x->place < y->place ? -1 : 1;
-    return x->flat < y->flat ? -1 : x->flat > y->flat;
-}
-
-/* One pass of a radix sort: by one byte, keys with the same one stay as they are. */
-static void sort_by_byte(const struct csg_flat_key *from, struct csg_flat_key *to, size_t num,
-                         int shift)
-{
-    size_t begin[256] = {0}, sum = 0;
-    for (size_t i = 0; i < num; i++)
-        begin[from[i].place >> shift & 255]++;
-    for (size_t i = 0; i < 256; i++) {
-        const size_t own = begin[i];
-        begin[i] = sum;
-        sum += own;
-    }
-    for (size_t i = 0; i < num; i++)
-        to[begin[from[i].place >> shift & 255]++] = from[i];
-}
-
-/* Places are not negative, so their bits are in their order. */
 static bool sort_keys(struct csg_flats *flats)
 {
-    const size_t num = flats->all.num;
-    flats->keys.num = flats->room.num = 0;
-    if (!csg_array_reserve(&flats->keys, num) || !csg_array_reserve(&flats->room, num))
-        return false;
-    struct csg_flat_key *keys = flats->keys.data;
-    for (size_t i = 0; i < num; i++) {
-        memcpy(&keys[i].place, &flats->all.data[i].place, sizeof keys[i].place);
-        keys[i].flat = (uint32_t)i;
-    }
-    if (num > 1 && num < MANY_KEYS)
-        qsort(keys, num, sizeof *keys, compare_keys);
-    for (int shift = 0; shift < 64 && num >= MANY_KEYS; shift += 16) {
-        sort_by_byte(keys, flats->room.data, num, shift);
-        sort_by_byte(flats->room.data, keys, num, shift + 8);
-    }
-    return true;
+    flats->keys.list.num = 0;
+    for (uint32_t i = 0; i < flats->all.num; i++)
+        if (!csg_array_push(&flats->keys.list,
+                            ((struct csg_key){csg_key_of(flats->all.data[i].place), i})))
+            return false;
+    return csg_keys_sort(&flats->keys);
 }
 
-static bool sort(struct csg_flats *flats, struct csg_vec3 center)
+bool csg_flats_sort(struct csg_flats *flats, struct csg_vec3 center)
 {
     const size_t num = flats->all.num;
     flats->sorted.num = flats->sides[0].num = flats->sides[1].num = flats->other_places.num = 0;
@@ -82,7 +43,7 @@ static bool sort(struct csg_flats *flats, struct csg_vec3 center)
         return false;
     for (size_t i = 0; i < num; i++) {
         struct csg_flat *flat = &flats->sorted.data[i];
-        *flat = flats->all.data[flats->keys.data[i].flat];
+        *flat = flats->all.data[flats->keys.list.data[i].index];
         flat->height -= csg_dot(flat->normal, center);
         flats->other_places.data[i] = flat->other_place;
         flats->sides[flat->turned].data[i] = flat->height;
@@ -156,35 +117,32 @@ static bool is_parallel(const struct csg_flat *a, const struct csg_flat *b)
     return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z;
 }
 
-bool csg_flats_note(struct csg_flats *flats, struct csg_vec3 center, double radius,
-                    struct csg_sharpness *sharp)
+void csg_flats_note(const struct csg_flats *flats, size_t begin, size_t end,
+                    const struct csg_ball *ball, struct csg_sharpness *sharp)
 {
-    const double noise = CSG_FINE_NOISE * (csg_length(center) + radius);
+    const double noise = CSG_FINE_NOISE * (csg_length(ball->center) + ball->radius);
     const size_t num = flats->all.num;
-    if (!sort(flats, center))
-        return false;
     const struct csg_flat *sorted = flats->sorted.data;
-    for (size_t i = 0, line = 0; i < num; i++) {
-        const size_t end = num - i < CSG_FINE_NEIGHBOURS ? num : i + CSG_FINE_NEIGHBOURS;
+    for (size_t i = begin, line = 0; i < end; i++) {
+        const size_t last = num - i < CSG_FINE_NEIGHBOURS ? num : i + CSG_FINE_NEIGHBOURS;
         for (line = line > i ? line : i + 1; line < num && is_parallel(&sorted[i], &sorted[line]);)
             line++;
-        note_parallel(sharp, flats, i, line < end ? line : end, radius, noise);
-        for (size_t j = line; j < end; j++) {
+        note_parallel(sharp, flats, i, line < last ? line : last, ball->radius, noise);
+        for (size_t j = line; j < last; j++) {
             if (fabs(flats->other_places.data[j] - sorted[i].other_place) >= 2 * CSG_FINE_MAX_ANGLE)
                 continue;
             if (sorted[j].place - sorted[i].place >= 2 * CSG_FINE_MAX_ANGLE)
                 break;
-            note_pair(sharp, &sorted[i], &sorted[j], radius, noise);
+            note_pair(sharp, &sorted[i], &sorted[j], ball->radius, noise);
         }
     }
-    return true;
 }
 
 void csg_flats_finish(struct csg_flats *flats)
 {
     free(flats->all.data);
-    free(flats->keys.data);
-    free(flats->room.data);
+    free(flats->keys.list.data);
+    free(flats->keys.room.data);
     free(flats->sorted.data);
     free(flats->other_places.data);
     free(flats->sides[0].data);

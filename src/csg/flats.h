@@ -4,6 +4,7 @@
 
 /* The planes of an object, in an order in which nearly parallel ones are neighbours. */
 
+#include "common/keys.h"
 #include "csg/sharpness.h"
 
 struct csg_flat {
@@ -18,11 +19,7 @@ struct csg_flat {
 /* Zero-initialise it. */
 struct csg_flats {
     CSG_ARRAY(struct csg_flat) all; /* in the order of the file */
-    CSG_ARRAY(struct csg_flat_key {
-        uint64_t place; /* bits of it */
-        uint32_t flat;
-    })
-    keys, room;
+    struct csg_keys keys; /* by place */
     CSG_ARRAY(struct csg_flat) sorted;
     CSG_ARRAY(double) other_places; /* of the sorted ones */
     CSG_ARRAY(double) sides[2]; /* heights of those, not turned and turned, of others infinity */
@@ -32,9 +29,19 @@ struct csg_flats {
 bool csg_flats_add(struct csg_flats *flats, const struct csg_plane *plane, uint32_t carrier,
                    uint32_t leaf, bool turned);
 
-/* Notes angles and gaps between the planes over a ball around the center. false: out of memory. */
-bool csg_flats_note(struct csg_flats *flats, struct csg_vec3 center, double radius,
-                    struct csg_sharpness *sharp);
+/* Where the planes meet, or do not. */
+struct csg_ball {
+    struct csg_vec3 center;
+    double radius;
+};
+
+/* Puts them into their order, with heights above the center. false: out of memory. */
+bool csg_flats_sort(struct csg_flats *flats, struct csg_vec3 center);
+
+/* Notes angles and gaps, over the ball, between those from begin to end and what follows them.
+ * They are sorted, with heights above the ball's center. */
+void csg_flats_note(const struct csg_flats *flats, size_t begin, size_t end,
+                    const struct csg_ball *ball, struct csg_sharpness *sharp);
 
 void csg_flats_finish(struct csg_flats *flats);
 

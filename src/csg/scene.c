@@ -161,11 +161,11 @@ static bool fill_from_trees(struct csgcast_scene *scene)
     return fill_boxes(scene) && fill_tree_info(scene);
 }
 
-/* Simplifies the tree; kept, where structure is kept, is it before what does not show went. */
-static bool simplify(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
+/* Takes what does not show out of the tree; kept, where structure is kept, is it before that. */
+static bool prune(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
 {
-    return csg_tree_simplify(tree, NULL) &&
-           (!scene->keeps_structure || csg_tree_copy(tree, kept)) && csg_tree_prune(scene, tree);
+    return (!scene->keeps_structure || csg_tree_copy(tree, kept)) &&
+           csg_tree_prune(scene, tree);
 }
 
 /* What is subtracted is closed, or it would take away all that is seen through its gaps. */
@@ -234,7 +234,8 @@ static bool finish(struct csgcast_scene *scene, const struct csg_before *before)
     struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
     bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
-        ok = simplify(scene, &scene->trees[layer], &kept[layer]);
+        ok = (before || csg_tree_simplify(&scene->trees[layer], NULL)) &&
+             prune(scene, &scene->trees[layer], &kept[layer]);
     ok = ok && csg_gather_nodes(scene) && fill_from_trees(scene) && csg_ways_fill(scene);
     for (int layer = 0; layer < CSG_NUM_LAYERS && scene->keeps_structure; layer++) {
         ok = ok && csg_tree_keep_structure(scene, &kept[layer], &scene->trees[layer]);

@@ -6,31 +6,26 @@
 
 #include "common/parallel.h"
 #include "csg/carrier_edit.h"
+#include "csg/curvature.h"
 #include "csg/flats.h"
+#include "csg/rounds.h"
 #include "csg/wall.h"
-#include "solids/quadric/eigen.h"
-#include "solids/sample.h"
-
-/* Quadrics with boxes that differ by less than this share nearly coincide. */
-#define NEAR_BOXES 1e-3
-
-/* Points of a quadric's surface that show how far it is from another. */
-#define NUM_SAMPLES 24
 
 /* Objects of one solid with more planes have their sharpness kept: finding it takes a while. */
 #define MAX_PLANES_OF_ONE 8
 
-/* A quadric of the object at hand. */
-struct surface {
-    uint32_t carrier, leaf;
-    bool turned;  /* what is taken away or flipped: the solid is on the carrier's other side */
-    double place; /* where to look for those like it: a side of its box */
-};
-
 struct surfaces {
     struct csg_flats planes;
-    CSG_ARRAY(struct surface) quadrics;
+    struct csg_rounds quadrics;
 };
+
+static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
+
+static void finish_surfaces(struct surfaces *surfaces)
+{
+    csg_flats_finish(&surfaces->planes);
+    csg_rounds_finish(&surfaces->quadrics);
+}
 
 void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,
                         uint32_t leaf)
@@ -63,46 +58,6 @@ static double thickness(const struct csg_vec3 edges[3])
     return least;
 }
 
-/* Sum of the squares of the canonical coordinates in which the surface is curved. */
-static int axes_form(const struct csg_quadric *quadric, double form[3][3])
-{
-    int num = 0;
-    for (int i = 0; i < 3; i++) {
-        const double *row = quadric->to_canon.m[i];
-        if (quadric->diag[i] == 0 && !(i == 2 && quadric->linear != 0))
-            continue;
-        num++;
-        for (int j = 0; j < 3; j++)
-            for (int k = 0; k < 3; k++)
-                form[j][k] += row[j] * row[k];
-    }
-    return num;
-}
-
-/*
- * The least radius of curvature: that of a section with the semi-axes a < b is a^2 / b. The form's
- * eigenvalues are 1 / axis^2, largest first num of them; no axis is longer than what can be seen of
- * the surface, size.
- */
-static double curvature(const struct csg_quadric *quadric, double size)
-{
-    double form[3][3] = {{0}}, values[3];
-    struct csg_vec3 axes[3];
-    const int num = axes_form(quadric, form);
-    csg_eigen_symmetric(form, values, axes);
-    double most = 0, least = INFINITY;
-    for (int i = 0; i < 3; i++) {
-        most = fmax(most, values[i]);
-        least = fmin(least, values[i]);
-    }
-    if (num < 2 || !(most > 0))
-        return INFINITY;
-    const double middle = values[0] + values[1] + values[2] - most - least;
-    const double shortest = 1 / sqrt(most), other = num == 2 ? middle : least;
-    const double longest = other * size * size > 1 ? 1 / sqrt(other) : size;
-    return shortest * fmin(1, shortest / longest);
-}
-
 /* Size of the coordinates, as far as they are finite. */
 static double largest(const struct csg_box *box)
 {
@@ -133,14 +88,8 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
     const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
     csg_sharpness_note(sharp, CSG_FINE_CURVATURE,
-                       curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size),
+                       csg_curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size),
                        leaf);
-}
-
-static int compare(const void *a, const void *b)
-{
-    const struct surface *x = a, *y = b;
-    return x->place < y->place ? -1 : x->place > y->place;
 }
 
 static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scene,
@@ -162,70 +111,10 @@ static bool add_leaf(struct surfaces *surfaces, const struct csgcast_scene *scen
     const uint32_t carrier = carriers->quadric_faces[leaf].carrier;
     if (carrier == CSG_NO_CARRIER)
         return true;
-    const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
     const bool turned = carriers->quadric_faces[leaf].flipped != node->negated;
-    return csg_array_push(&surfaces->quadrics, ((struct surface){carrier, leaf, turned, place}));
-}
-
-static double box_difference(const struct csg_box *a, const struct csg_box *b)
-{
-    const struct csg_vec3 lo = csg_sub(a->lo, b->lo), hi = csg_sub(a->hi, b->hi);
-    return fmax(fmax(fabs(lo.x), fmax(fabs(lo.y), fabs(lo.z))),
-                fmax(fabs(hi.x), fmax(fabs(hi.y), fabs(hi.z))));
-}
-
-/* Largest distance of b's surface from the carrier, to first order, by samples. */
-static double deviation(const struct csg_quadric *carrier, const struct csg_shape *b)
-{
-    struct csg_vec3 points[NUM_SAMPLES];
-    const size_t num = csg_shape_sample(b, points, NUM_SAMPLES);
-    double largest = num ? 0 : INFINITY;
-    for (size_t i = 0; i < num; i++) {
-        const double slope = csg_length(csg_quadric_gradient(carrier, points[i]));
-        largest = fmax(largest, fabs(csg_quadric_value(carrier, points[i])) / slope);
-    }
-    return largest;
-}
-
-/* Quadrics nearly coincide where the solids' boxes do, and the surfaces all over. */
-static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
-                          const struct surface *a, const struct surface *b)
-{
-    const struct csg_box box = csg_leaf_box(&scene->leaves[a->leaf]);
-    const struct csg_box other = csg_leaf_box(&scene->leaves[b->leaf]);
-    const double near = NEAR_BOXES * csg_length(csg_sub(box.hi, box.lo));
-    if (!csg_box_is_finite(&box) || !csg_box_is_finite(&other) ||
-        !(box_difference(&box, &other) < near))
-        return;
-    const double apart = deviation(csg_carrier_quadric(scene, scene->carriers, a->carrier),
-                                   &scene->leaves[b->leaf].shape);
-    if (apart < near)
-        csg_sharpness_note(sharp, CSG_FINE_GAP, apart, b->leaf);
-}
-
-/* Rings of one profile, whose walls are known. */
-static bool is_one_profile(const struct csgcast_scene *scene, const uint8_t *marks, uint32_t a,
-                           uint32_t b)
-{
-    const struct csg_leaf *x = &scene->leaves[a], *y = &scene->leaves[b];
-    return marks[a] & marks[b] & CSG_WALL_RING && x->line == y->line && x->column == y->column;
-}
-
-/* Surfaces that are alike are neighbours. */
-static void note_all_quadrics(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
-                              const uint8_t *marks, const struct surfaces *surfaces, double radius)
-{
-    const struct surface *q = surfaces->quadrics.data;
-    const size_t num = surfaces->quadrics.num;
-    if (num > 1)
-        qsort(surfaces->quadrics.data, num, sizeof *q, compare);
-    for (size_t i = 0; i < num; i++)
-        for (size_t j = i + 1; j < num && j < i + CSG_FINE_NEIGHBOURS &&
-                               q[j].place - q[i].place < NEAR_BOXES * radius;
-             j++)
-            if (q[i].carrier != q[j].carrier && q[i].turned != q[j].turned &&
-                !is_one_profile(scene, marks, q[i].leaf, q[j].leaf))
-                note_quadrics(sharp, scene, &q[i], &q[j]);
+    const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
+    return csg_array_push(&surfaces->quadrics.all,
+                          ((struct csg_round){carrier, leaf, turned, place}));
 }
 
 /* Of an unbounded object: where its planes are. */
@@ -263,37 +152,93 @@ static void clear_marks(const struct csg_node *nodes, const struct csg_object *o
 }
 
 /* Where the object is, and how large. */
-static bool note_planes(struct csg_sharpness *sharp, const struct csg_object *object,
-                        struct surfaces *surfaces, double *radius)
+static struct csg_ball ball_of(const struct csg_object *object, const struct surfaces *surfaces)
 {
     const struct csg_box *box = &object->box;
-    const bool known = csg_box_is_finite(box) && !csg_box_is_empty(box);
-    *radius =
-        known ? 0.5 * csg_length(csg_sub(box->hi, box->lo)) : radius_of_planes(&surfaces->planes);
-    return csg_flats_note(&surfaces->planes,
-                          known ? csg_scale(0.5, csg_add(box->lo, box->hi)) : csg_vec3(0, 0, 0),
-                          *radius, sharp);
+    if (!csg_box_is_finite(box) || csg_box_is_empty(box))
+        return (struct csg_ball){csg_vec3(0, 0, 0), radius_of_planes(&surfaces->planes)};
+    return (struct csg_ball){csg_scale(0.5, csg_add(box->lo, box->hi)),
+                             0.5 * csg_length(csg_sub(box->hi, box->lo))};
+}
+
+/* An object is looked at in so many runs, side by side. Smaller ones are through before a thread
+ * has started. */
+enum { NUM_RUNS = 8, MIN_NODES = 1024 };
+
+/* What counts in turn: of two that are equal the first is named. */
+enum { OF_LEAVES, OF_PLANES, OF_QUADRICS, NUM_SOURCES };
+
+struct noting {
+    const struct csgcast_scene *scene;
+    const struct csg_object *object;
+    const uint8_t *marks;
+    const struct surfaces *surfaces;
+    struct csg_ball ball;
+    struct csg_sharpness found[NUM_SOURCES][NUM_RUNS];
+};
+
+static void note_leaves(const struct noting *noting, size_t begin, size_t end,
+                        struct csg_sharpness *sharp)
+{
+    const struct csg_node *nodes = noting->scene->trees[noting->object->layer].data;
+    for (size_t i = begin; i < end; i++)
+        if (nodes[i].op == CSG_LEAF && !nodes[i].spare)
+            note_leaf(sharp, noting->scene, nodes[i].leaf, noting->marks[nodes[i].leaf]);
+}
+
+static void note_run(void *user, size_t run)
+{
+    struct noting *noting = user;
+    const struct csg_object *object = noting->object;
+    const size_t num_nodes = object->end - object->begin;
+    const size_t num_planes = noting->surfaces->planes.all.num;
+    const size_t num_quadrics = noting->surfaces->quadrics.keys.list.num;
+    for (int source = 0; source < NUM_SOURCES; source++)
+        noting->found[source][run] = blunt;
+    note_leaves(noting, object->begin + num_nodes * run / NUM_RUNS,
+                object->begin + num_nodes * (run + 1) / NUM_RUNS, &noting->found[OF_LEAVES][run]);
+    csg_flats_note(&noting->surfaces->planes, num_planes * run / NUM_RUNS,
+                   num_planes * (run + 1) / NUM_RUNS, &noting->ball,
+                   &noting->found[OF_PLANES][run]);
+    csg_rounds_note(&noting->surfaces->quadrics, noting->scene, num_quadrics * run / NUM_RUNS,
+                    num_quadrics * (run + 1) / NUM_RUNS, noting->marks, noting->ball.radius,
+                    &noting->found[OF_QUADRICS][run]);
+}
+
+static void note_runs(struct csg_sharpness *sharp, struct noting *noting)
+{
+    const bool is_large = noting->object->end - noting->object->begin >= MIN_NODES;
+    csg_parallel(is_large ? noting->scene->num_threads : 1, NUM_RUNS, note_run, noting);
+    for (int source = 0; source < NUM_SOURCES; source++)
+        for (size_t run = 0; run < NUM_RUNS; run++) {
+            const struct csg_sharpness *found = &noting->found[source][run];
+            for (int what = 0; what < CSG_NUM_FINE; what++)
+                csg_sharpness_note(sharp, (enum csg_fineness)what, found->least[what],
+                                   found->leaf[what]);
+        }
 }
 
 static bool note_object(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
                         const struct csg_object *object, struct surfaces *surfaces, uint8_t *marks)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    double radius;
-    surfaces->planes.all.num = surfaces->quadrics.num = 0;
+    surfaces->planes.all.num = surfaces->quadrics.all.num = 0;
     clear_marks(nodes, object, marks); /* of another object with the same leaves */
     if (!note_stacks(sharp, scene, object, marks))
         return false;
-    for (uint32_t i = object->begin; i < object->end; i++) {
-        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
-            continue;
-        note_leaf(sharp, scene, nodes[i].leaf, marks[nodes[i].leaf]);
-        if (!add_leaf(surfaces, scene, &nodes[i], marks[nodes[i].leaf]))
+    for (uint32_t i = object->begin; i < object->end; i++)
+        if (nodes[i].op == CSG_LEAF && !nodes[i].spare &&
+            !add_leaf(surfaces, scene, &nodes[i], marks[nodes[i].leaf]))
             return false;
-    }
-    if (!note_planes(sharp, object, surfaces, &radius))
+    struct noting noting = {.scene = scene,
+                            .object = object,
+                            .marks = marks,
+                            .surfaces = surfaces,
+                            .ball = ball_of(object, surfaces)};
+    if (!csg_flats_sort(&surfaces->planes, noting.ball.center) ||
+        !csg_rounds_sort(&surfaces->quadrics))
         return false;
-    note_all_quadrics(sharp, scene, marks, surfaces, radius);
+    note_runs(sharp, &noting);
     return true;
 }
 
@@ -312,14 +257,15 @@ static bool note_one(struct csg_sharpness *sharp, const struct csgcast_scene *sc
 {
     const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
     struct surfaces surfaces = {.planes = {.all = {0}}};
-    double radius;
     note_leaf(sharp, scene, node->leaf, 0);
     if (scene->leaves[node->leaf].shape.num_planes == 0)
         return true;
-    const bool ok = add_leaf(&surfaces, scene, node, 0) &&
-                    note_planes(sharp, object, &surfaces, &radius);
-    csg_flats_finish(&surfaces.planes);
-    free(surfaces.quadrics.data);
+    bool ok = add_leaf(&surfaces, scene, node, 0);
+    const struct csg_ball ball = ball_of(object, &surfaces);
+    ok = ok && csg_flats_sort(&surfaces.planes, ball.center);
+    if (ok)
+        csg_flats_note(&surfaces.planes, 0, surfaces.planes.all.num, &ball, sharp);
+    finish_surfaces(&surfaces);
     return ok;
 }
 
@@ -387,8 +333,6 @@ static const struct csg_sharpness *find_kept(const struct csgcast_scene *scene,
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-static const struct csg_sharpness blunt = {{INFINITY, INFINITY, INFINITY, INFINITY}, {0}};
-
 struct csg_sharpness csg_sharpness_of(const struct csgcast_scene *scene, size_t object)
 {
     const uint32_t place = scene->sharpness->places[object];
@@ -425,8 +369,7 @@ static bool fill(const struct filling *filling, size_t begin, size_t end)
         ok = kept || note_object(sharp, scene, object, &surfaces, marks);
     }
     free(marks);
-    csg_flats_finish(&surfaces.planes);
-    free(surfaces.quadrics.data);
+    finish_surfaces(&surfaces);
     return ok;
 }
 

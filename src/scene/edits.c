@@ -19,14 +19,17 @@ void csg_edits_destroy(struct csg_edits *edits)
     free(edits);
 }
 
-/* The trees as the text has them change hands. */
-static void take_trees(struct csg_edits *edits, struct csgcast_scene *raw)
+/* The trees as the text has them change hands, without what no edit brings back. */
+static bool take_trees(struct csg_edits *edits, struct csgcast_scene *raw)
 {
+    bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        ok = ok && csg_tree_simplify(&raw->trees[layer], NULL);
         edits->trees[layer] = raw->trees[layer];
         raw->trees[layer] = (struct csg_tree){0};
     }
     edits->num_dropped = raw->info.num_dropped;
+    return ok;
 }
 
 struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
@@ -37,14 +40,13 @@ struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
     uint32_t *patches = calloc(scene->num_leaves + 1, sizeof *patches);
     struct csgcast_scene *raw =
         edits && patches ? csg_scene_reread(scene, &edits->origins) : NULL;
-    if (!raw || raw->num_leaves != scene->num_leaves) {
+    if (!raw || raw->num_leaves != scene->num_leaves || !take_trees(edits, raw)) {
         csg_log_memory(&scene->log);
         free(patches);
         csg_edits_destroy(edits);
         csgcast_scene_destroy(raw);
         return NULL;
     }
-    take_trees(edits, raw);
     csgcast_scene_destroy(raw);
     edits->patches = patches;
     scene->edits = edits;
