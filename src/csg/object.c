@@ -255,11 +255,12 @@ static bool is_highlighted(const struct csg_tree *tree, const struct csg_object 
     return true;
 }
 
+/* What is subtracted shows in neither: only a # of its own draws it. */
 static void mark_leaves(const struct csg_tree *tree, uint32_t begin, uint32_t end, uint8_t mark,
                         uint8_t *marks)
 {
     for (uint32_t i = begin; i < end; i++)
-        if (tree->data[i].op == CSG_LEAF)
+        if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated)
             marks[tree->data[i].leaf] |= mark;
 }
 
@@ -300,7 +301,7 @@ static void paint_highlights(const struct csgcast_scene *scene, struct csg_objec
         struct csg_object *object = &objects->data[i];
         object->hidden = object->layer == CSG_LAYER_HIGHLIGHT;
         for (uint32_t j = object->begin; j < object->end && object->hidden; j++)
-            object->hidden = highlight->data[j].op != CSG_LEAF ||
+            object->hidden = highlight->data[j].op != CSG_LEAF || highlight->data[j].negated ||
                              marks[highlight->data[j].leaf] & PAINTED;
     }
 }

@@ -169,16 +169,12 @@ static bool is_model_root(const struct csg_builder *builder, uint32_t node)
 
 static bool is_background(const struct csg_builder *builder, uint32_t node)
 {
-    const uint8_t modifiers = builder->document->nodes.data[node].modifiers;
-    return (modifiers & CSG_MODIFIER_BACKGROUND) != 0 && !builder->meanings[node].is_unmarked;
+    return builder->meanings[node].shows_background;
 }
 
 static bool is_highlight(const struct csg_builder *builder, uint32_t node)
 {
-    const uint8_t modifiers = builder->document->nodes.data[node].modifiers;
-    const struct csg_meaning *meaning = &builder->meanings[node];
-    return (modifiers & CSG_MODIFIER_HIGHLIGHT) != 0 && !meaning->is_covered &&
-           !meaning->is_unmarked;
+    return builder->meanings[node].shows_highlight;
 }
 
 struct layer_rule {
@@ -216,7 +212,7 @@ static bool add_roots(struct tree_builder *build, const struct layer_rule *rule)
             is_full = rule->nested && is_too_large(build, &nodes[i]);
             done = is_full || add_subtree(build, i);
         }
-        const bool descend = rule->nested && !is_off && csg_has_children(&builder->meanings[i]);
+        const bool descend = rule->nested && !is_off && csg_has_leaves(&builder->meanings[i]);
         i = descend ? i + 1 : nodes[i].end;
     }
     return done;
@@ -257,7 +253,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
     scene->num_threads = params->num_threads;
     builder.repeats = csg_repeats_create();
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
-                csg_build_unsupported(&builder) && csg_build_leaves(&builder);
+                csg_build_marks(&builder) && csg_build_unsupported(&builder) && csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);

@@ -6,6 +6,7 @@
  * From nodes to a scene, in walks over the array of nodes:
  *   meaning.c  what each node is, and which are left out,
  *   dimension.c  which are two-dimensional where solids are wanted, or the other way round,
+ *   marks.c    what # and % show,
  *   unsupported.c  which are nothing for us,
  *   leaves.c   the solids, in world space; shares.c  the same on all cores,
  *   build.c    the Boolean trees of the layers.
@@ -22,8 +23,10 @@ struct csg_meaning {
     uint8_t role;       /* enum csg_role */
     uint8_t kind;       /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
     uint8_t dimension;  /* 2 or 3; 0: nothing in it says */
-    bool is_covered;    /* all of it is part of a highlighted subtree around it */
-    bool is_unmarked;   /* directly in a render() node, where # and % show nothing */
+    bool shows_marks;   /* # and % directly in it show, though it becomes one mesh */
+    bool shows_background, shows_highlight; /* as a whole, in those layers, see marks.c */
+    bool holds_shown;   /* something in it is shown by itself */
+    bool is_idle;       /* read with a node around it, and only passed on the way to such a thing */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
     bool is_slab;       /* a drawing that no extrusion is around: csg_compound_slab draws it */
     bool is_whole;      /* what is in it is of one colour, its cut faces too */
@@ -99,6 +102,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);
 bool csg_build_dimensions(struct csg_builder *builder);
+bool csg_build_marks(struct csg_builder *builder);
 bool csg_build_unsupported(struct csg_builder *builder);
 bool csg_build_leaves(struct csg_builder *builder);
 
@@ -134,6 +138,16 @@ static inline bool csg_is_flat_operand(const struct csg_builder *builder, uint32
            builder->meanings[node].is_misplaced && builder->meanings[node].dimension == 2;
 }
 
+/* Where the node is a drawing that shows, it does as a slab. */
+static inline void csg_make_slab(struct csg_meaning *meaning)
+{
+    meaning->is_slab = meaning->dimension == 2 &&
+                       (meaning->role == CSG_ROLE_FIGURE || meaning->role == CSG_ROLE_FLATTEN ||
+                        meaning->role == CSG_ROLE_COMPOUND);
+    if (meaning->is_slab)
+        meaning->kind = CSG_KIND_DRAWING;
+}
+
 /* Whether the node becomes a part. */
 static inline bool csg_is_compound(const struct csg_meaning *meaning)
 {
@@ -145,6 +159,12 @@ static inline bool csg_has_children(const struct csg_meaning *meaning)
 {
     return meaning->role == CSG_ROLE_UNION || meaning->role == CSG_ROLE_DIFFERENCE ||
            meaning->role == CSG_ROLE_INTERSECTION;
+}
+
+/* Whether leaves are to be looked for below the node. */
+static inline bool csg_has_leaves(const struct csg_meaning *meaning)
+{
+    return meaning->holds_shown || (csg_has_children(meaning) && !meaning->is_idle);
 }
 
 #endif

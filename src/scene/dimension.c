@@ -31,13 +31,8 @@ static void make_slabs(struct csg_builder *builder, uint32_t root)
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
     for (uint32_t i = root; i < nodes[root].end;) {
         struct csg_meaning *meaning = &builder->meanings[i];
-        const bool is_drawn = meaning->dimension == 2 && (meaning->role == CSG_ROLE_FIGURE ||
-                                                          meaning->role == CSG_ROLE_FLATTEN ||
-                                                          meaning->role == CSG_ROLE_COMPOUND);
-        meaning->is_slab = is_drawn;
-        if (is_drawn)
-            meaning->kind = CSG_KIND_DRAWING;
-        i = is_drawn || !csg_has_children(meaning) ? nodes[i].end : i + 1;
+        csg_make_slab(meaning);
+        i = meaning->is_slab || !csg_has_children(meaning) ? nodes[i].end : i + 1;
     }
 }
 

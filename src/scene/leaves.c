@@ -283,6 +283,8 @@ static bool visit(struct walk *walk, uint32_t node)
         walk->frames.num--;
     if (is_malformed || meaning->is_misplaced)
         return true;
+    if (meaning->is_idle)
+        return !csg_has_children(meaning) || enter(walk, node);
     if (meaning->role == CSG_ROLE_SOLID)
         return read_solid(walk, node, &walk->frames.data[walk->frames.num - 1].space);
     if (csg_is_compound(meaning))
@@ -298,7 +300,7 @@ static bool is_off(const struct csg_builder *builder, uint32_t node)
 /* What comes behind a node whose children do not count, or the first of those. */
 static uint32_t next_node(const struct csg_builder *builder, uint32_t node)
 {
-    const bool descend = !is_off(builder, node) && csg_has_children(&builder->meanings[node]);
+    const bool descend = !is_off(builder, node) && csg_has_leaves(&builder->meanings[node]);
     return descend ? node + 1 : builder->document->nodes.data[node].end;
 }
 

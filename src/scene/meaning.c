@@ -74,6 +74,7 @@ static struct csg_meaning meaning_of(const struct csg_builder *builder, uint32_t
         meaning.kind = (uint8_t)ops->kind;
         meaning.dimension = ops->dimension;
         meaning.is_whole = ops->is_whole;
+        meaning.shows_marks = ops->shows_marks;
     } else {
         meaning.kind = (uint8_t)csg_solid_find(name, length);
         meaning.role = meaning.kind < CSG_NUM_KINDS ? CSG_ROLE_SOLID : CSG_ROLE_UNKNOWN;
@@ -102,34 +103,15 @@ static void classify_import(const struct csg_builder *builder, uint32_t node,
     csg_arguments_finish(&arguments);
 }
 
-/* What a highlighted union holds needs no highlight of its own; the operands of a difference or
- * an intersection do, they reach beyond it. */
-static void cover_children(struct csg_builder *builder, uint32_t node)
-{
-    const struct csg_parsed_node *nodes = builder->document->nodes.data;
-    const struct csg_meaning *meaning = &builder->meanings[node];
-    const bool is_covering =
-        meaning->role == CSG_ROLE_UNION &&
-        (meaning->is_covered || nodes[node].modifiers & CSG_MODIFIER_HIGHLIGHT);
-    for (uint32_t i = node + 1; is_covering && i < nodes[node].end; i = nodes[i].end)
-        builder->meanings[i].is_covered = !csg_is_left_out(builder, i);
-    for (uint32_t i = node + 1; meaning->is_whole && i < nodes[node].end; i = nodes[i].end)
-        builder->meanings[i].is_unmarked = true;
-}
-
 /* Returns the node to go on with: the next in the text, or the one behind this subtree. */
 static uint32_t assign_meaning(struct csg_builder *builder, uint32_t node)
 {
     const struct csg_parsed_node *parsed = &builder->document->nodes.data[node];
     struct csg_meaning *meaning = &builder->meanings[node];
-    const bool is_covered = meaning->is_covered, is_unmarked = meaning->is_unmarked;
     *meaning = meaning_of(builder, node);
-    meaning->is_covered = is_covered;
-    meaning->is_unmarked = is_unmarked;
     if (meaning->role == CSG_ROLE_UNSUPPORTED && meaning->dimension == 0 &&
         parsed->name_length == 6 && memcmp(name_of(builder, node), "import", 6) == 0)
         classify_import(builder, node, meaning);
-    cover_children(builder, node);
     if (meaning->role == CSG_ROLE_UNKNOWN) {
         report_unknown(builder, node);
         return builder->skip_unsupported ? parsed->end : node + 1;

@@ -46,6 +46,7 @@ struct csg_node_ops {
     uint8_t wants;          /* 2 or 3: what must be in it; 0: of its own dimension */
     enum csg_kind kind;     /* COMPOUND: of its leaves */
     bool is_whole;          /* what is in it is of one colour, its cut faces too */
+    bool shows_marks;       /* # and % directly in it show, though it becomes one mesh */
     /* Changes the space of the children. false: a message was given. NULL: nothing to change. */
     bool (*enter)(const struct csg_args *args, struct csg_space *space);
     /* FIGURE: adds it to a drawing, see scene/figures.h. */

@@ -103,16 +103,17 @@ static int check_depth(void)
     static const char *const openings[] = {
         "group(){",       "difference(){",     "%union(){",
         "#difference(){", "color([1,0,0,1]){", "translate([0,0,0])",
+        "difference(){sphere(0);#union(){",
     };
     int num_failed = 0;
     const size_t depth = 10000 * scale;
     for (size_t i = 0; i < sizeof openings / sizeof openings[0]; i++) {
         struct text text = {0};
-        const bool braces = strchr(openings[i], '{') != NULL;
+        const char *first = strchr(openings[i], '{'), *last = strrchr(openings[i], '{');
         repeat(&text, openings[i], depth);
         text_add(&text, "cube(size = [1, 1, 1]);");
-        repeat(&text, braces ? "}" : "", depth);
-        const bool is_limited = strchr(openings[i], '#') != NULL;
+        repeat(&text, !first ? "" : first == last ? "}" : "}}", depth);
+        const bool is_limited = strstr(openings[i], ";#") != NULL;
         num_failed += check(&text, &(struct expectation){openings[i], true, 1, 0,
                                                          is_limited ? "too many '#'" : NULL});
     }
