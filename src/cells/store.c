@@ -100,6 +100,22 @@ void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_sto
     }
 }
 
+void csg_cells_store_renew(struct csg_cells_store *store, uint32_t object)
+{
+    const size_t at = find_place(store, object);
+    struct entry *entry = &store->entries.data[at];
+    if (at == store->entries.num || entry->object != object)
+        return;
+    if (entry->cells) {
+        entry->before = entry->cells->kept;
+        entry->cells->kept = NULL;
+        csg_cells_destroy(entry->cells);
+    }
+    entry->cells = NULL;
+    entry->spared = 0;
+    entry->asked = false;
+}
+
 /* With the store's lock. */
 static void make_cells(const struct csgcast_scene *scene, struct entry *entry, int num_threads)
 {

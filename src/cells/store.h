@@ -16,6 +16,9 @@ void csg_cells_store_destroy(struct csg_cells_store *store);
  * objects of the same number. */
 void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_store *before);
 
+/* An edit has changed the object: of its cells what that leaves as it was is kept. */
+void csg_cells_store_renew(struct csg_cells_store *store, uint32_t object);
+
 /*
  * An object's cells for a frame, in which they spare so many tests of a solid at a pixel. They are
  * made as soon as the frames since the scene was loaded or edited would have been spared more than

@@ -267,6 +267,13 @@ static void put_outline(struct csg_crowd *crowd, size_t at, const struct csgcast
            size * sizeof *numbers);
 }
 
+static void find_least_need(struct csg_crowd *crowd)
+{
+    crowd->least_need = INFINITY;
+    for (size_t i = 0; i < crowd->num; i++)
+        crowd->least_need = fminf(crowd->least_need, crowd->need[i]);
+}
+
 static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[NUM_KEYS])
 {
     const struct csgcast_scene *scene = builder->scene;
@@ -284,8 +291,8 @@ static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[N
         const uint32_t root = root_of(builder->parents, i);
         crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
         crowd->need[at] = builder->needs[i];
-        crowd->least_need = fminf(crowd->least_need, crowd->need[at]);
     }
+    find_least_need(crowd);
 }
 
 struct outlining {
@@ -314,16 +321,24 @@ static enum csg_cover cover_of(const struct csgcast_scene *scene,
     return csg_tree_cast_can(scene, object) ? CSG_COVER_HIDES : CSG_COVER_NONE;
 }
 
+void csg_crowd_recolor_object(struct csg_crowd *crowd, const struct csgcast_scene *scene,
+                              uint32_t object, uint32_t member)
+{
+    if (member == CSG_CROWD_NO_MEMBER) {
+        crowd->covers[object] = (uint8_t)cover_of(scene, &scene->objects->data[object]);
+        return;
+    }
+    const float alpha = scene->leaves[crowd->leaf[member]].color[3];
+    crowd->opaque[member] = alpha < 0 || alpha >= 1;
+    crowd->covers[object] = crowd->opaque[member] ? CSG_COVER_NONE : CSG_COVER_GLASS;
+}
+
 void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scene)
 {
-    for (size_t i = 0; i < crowd->num; i++) {
-        const float alpha = scene->leaves[crowd->leaf[i]].color[3];
-        crowd->opaque[i] = alpha < 0 || alpha >= 1;
-        crowd->covers[crowd->object[i]] = crowd->opaque[i] ? CSG_COVER_NONE : CSG_COVER_GLASS;
-    }
+    for (size_t i = 0; i < crowd->num; i++)
+        csg_crowd_recolor_object(crowd, scene, crowd->object[i], (uint32_t)i);
     for (size_t i = 0; i < crowd->num_others; i++)
-        crowd->covers[crowd->others[i]] =
-            (uint8_t)cover_of(scene, &scene->objects->data[crowd->others[i]]);
+        csg_crowd_recolor_object(crowd, scene, crowd->others[i], CSG_CROWD_NO_MEMBER);
 }
 
 /* A root's own number counts where it has kin. */
@@ -348,7 +363,6 @@ struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
     size_t next[NUM_KEYS];
     bool ok = crowd && classify(&builder);
     if (ok) {
-        crowd->least_need = INFINITY;
         size_t num_numbers;
         plan_classes(crowd, &builder, next, &num_numbers);
         ok = allocate(crowd, num_numbers);
@@ -367,6 +381,46 @@ struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
         return crowd;
     csg_crowd_destroy(crowd);
     return NULL;
+}
+
+/* ---- edits -------------------------------------------------------------------------------- */
+
+void csg_crowd_list_members(const struct csg_crowd *crowd, uint32_t *members)
+{
+    for (size_t i = 0; i < crowd->num; i++)
+        members[crowd->object[i]] = (uint32_t)i;
+    for (size_t i = 0; i < crowd->num_others; i++)
+        members[crowd->others[i]] = CSG_CROWD_NO_MEMBER;
+}
+
+static bool keeps_class(const struct csg_crowd *crowd, const struct csgcast_scene *scene,
+                        uint32_t object, uint32_t member, float *need)
+{
+    const uint8_t key = key_of(scene, &scene->objects->data[object], need);
+    if (member == CSG_CROWD_NO_MEMBER || key == NO_CLASS)
+        return member == CSG_CROWD_NO_MEMBER && key == NO_CLASS;
+    const struct csg_crowd_class now = class_of(key), *before = class_at(crowd, member);
+    return now.outline == before->outline && now.has_quadric == before->has_quadric &&
+           now.num_planes == before->num_planes;
+}
+
+bool csg_crowd_follow(struct csg_crowd *crowd, const struct csgcast_scene *scene,
+                      const uint32_t *objects, size_t num, const uint32_t *members)
+{
+    float need;
+    for (size_t i = 0; i < num; i++)
+        if (!keeps_class(crowd, scene, objects[i], members[objects[i]], &need))
+            return false;
+    for (size_t i = 0; i < num; i++) {
+        const uint32_t member = members[objects[i]];
+        if (member != CSG_CROWD_NO_MEMBER) {
+            keeps_class(crowd, scene, objects[i], member, &crowd->need[member]);
+            put_outline(crowd, member, scene);
+        }
+        csg_crowd_recolor_object(crowd, scene, objects[i], member);
+    }
+    find_least_need(crowd);
+    return true;
 }
 
 void csg_crowd_destroy(struct csg_crowd *crowd)

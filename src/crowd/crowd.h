@@ -60,4 +60,22 @@ void csg_crowd_destroy(struct csg_crowd *crowd);
 /* Looks at the leaves' colours again. */
 void csg_crowd_recolor(struct csg_crowd *crowd, const struct csgcast_scene *scene);
 
+/* Of an object that is no member. */
+#define CSG_CROWD_NO_MEMBER UINT32_MAX
+
+/* Fills members, one for each object. */
+void csg_crowd_list_members(const struct csg_crowd *crowd, uint32_t *members);
+
+/* Looks at the colours of one object, which is that member, again. */
+void csg_crowd_recolor_object(struct csg_crowd *crowd, const struct csgcast_scene *scene,
+                              uint32_t object, uint32_t member);
+
+/*
+ * After an edit that has changed what these objects look like, but neither their structure nor
+ * which of them share carriers: looks at them again. members: of csg_crowd_list_members. false, with
+ * nothing changed: one of them belongs into another class.
+ */
+bool csg_crowd_follow(struct csg_crowd *crowd, const struct csgcast_scene *scene,
+                      const uint32_t *objects, size_t num, const uint32_t *members);
+
 #endif

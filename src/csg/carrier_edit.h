@@ -15,6 +15,9 @@ struct csg_before {
     const struct csgcast_scene *scene;     /* with its leaves as they are now */
     const uint32_t *changed;               /* by leaf: 0, or the place + 1 of its shape in shapes */
     const struct csg_shape *const *shapes; /* as they were */
+    const uint32_t *leaves;                /* that have changed, one for each shape */
+    size_t num;
+    const struct csg_tree *trees; /* by layer: simplified, but for what boxes show */
 };
 
 /*

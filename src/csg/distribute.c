@@ -232,15 +232,29 @@ static bool find_parts(struct distributor *at, const struct csgcast_scene *scene
     return ok;
 }
 
+bool csg_distribute_may(const struct csg_tree *tree, const struct csg_object *object)
+{
+    const struct csg_node *nodes = tree->data;
+    if (object->layer != CSG_LAYER_MODEL || object->end - object->begin <= MIN_OPERANDS ||
+        nodes[object->begin].op != CSG_AND)
+        return false;
+    for (uint32_t i = object->begin + 1; i < object->end; i = nodes[i].end) {
+        size_t num = 0;
+        for (uint32_t j = i + 1; j < nodes[i].end && nodes[i].op == CSG_OR; j = nodes[j].end)
+            num++;
+        if (num >= MIN_OPERANDS)
+            return true;
+    }
+    return false;
+}
+
 static bool is_wanted(const struct csgcast_scene *scene)
 {
     const struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
     if (scene->trees[CSG_LAYER_HIGHLIGHT].num)
         return false;
     for (size_t i = 0; i < scene->objects->num; i++) {
-        const struct csg_object *object = &scene->objects->data[i];
-        if (object->layer == CSG_LAYER_MODEL && object->end - object->begin > MIN_OPERANDS &&
-            tree->data[object->begin].op == CSG_AND)
+        if (csg_distribute_may(tree, &scene->objects->data[i]))
             return true;
     }
     return false;
@@ -259,6 +273,7 @@ static bool pass(struct csgcast_scene *scene, bool *done)
     }
     free(tree->data);
     *tree = at.to;
+    scene->is_distributed = true;
     scene->info.num_objects -= scene->objects->num;
     scene->objects->num = 0;
     const bool ok = csg_objects_split(scene, scene->objects);

@@ -18,4 +18,7 @@
  */
 bool csg_distribute(struct csgcast_scene *scene);
 
+/* Whether an object of the model has what it takes, whether or not that pays. */
+bool csg_distribute_may(const struct csg_tree *tree, const struct csg_object *object);
+
 #endif

@@ -50,10 +50,9 @@ struct framing {
     int axis, sign; /* of the side */
 };
 
-static struct csg_box written_box(const struct csgcast_scene *scene, uint32_t leaf)
+struct csg_box csg_written_box(const struct csg_leaf *leaf)
 {
-    const struct csg_shape *shape = &scene->leaves[leaf].shape;
-    return csg_box_map(&shape->frame, &shape->written);
+    return csg_box_map(&leaf->shape.frame, &leaf->shape.written);
 }
 
 static int compare_wholes(const void *key, const void *item)
@@ -101,7 +100,7 @@ static void frame_task(void *user, size_t task)
         const struct csg_node *node = &start->tree->data[i];
         if (node->op != CSG_LEAF || node->negated || csg_find_whole(start->scene, node->leaf))
             continue;
-        const struct csg_box box = written_box(start->scene, node->leaf);
+        const struct csg_box box = csg_written_box(&start->scene->leaves[node->leaf]);
         if (csg_box_is_finite(&box))
             start->boxes[task] = csg_box_union(&start->boxes[task], &box);
     }
@@ -151,7 +150,7 @@ static bool add_piece(struct framing *framing, const struct csg_tree *tree, uint
         if (!is_in(whole, node->leaf))
             break;
         last = i;
-        const struct csg_box box = written_box(framing->scene, node->leaf);
+        const struct csg_box box = csg_written_box(&framing->scene->leaves[node->leaf]);
         if (!node->negated && csg_box_is_finite(&box))
             piece.box = csg_box_union(&piece.box, &box);
     }

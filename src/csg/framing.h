@@ -16,6 +16,9 @@ void csg_sort_wholes(struct csgcast_scene *scene);
 /* The render() node that a leaf is in; NULL: none. */
 const struct csg_whole *csg_find_whole(const struct csgcast_scene *scene, uint32_t leaf);
 
+/* Of OpenSCAD's vertices of the leaf, in world space. */
+struct csg_box csg_written_box(const struct csg_leaf *leaf);
+
 /* Fills scene->written but for what is in render() nodes, from the simplified trees. */
 void csg_framing_start(struct csgcast_scene *scene);
 

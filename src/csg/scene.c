@@ -10,6 +10,7 @@
 #include "crowd/crowd.h"
 #include "csg/carrier_edit.h"
 #include "csg/distribute.h"
+#include "csg/follow.h"
 #include "csg/framing.h"
 #include "csg/gather.h"
 #include "csg/object.h"
@@ -38,6 +39,7 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
 
 void csg_scene_drop_derived(struct csgcast_scene *scene)
 {
+    csg_follower_destroy(scene->follower);
     csg_sharpness_destroy(scene->sharpness);
     free(scene->ways.data);
     csg_cells_store_destroy(scene->cells);
@@ -120,7 +122,7 @@ static bool fill_tree_info(struct csgcast_scene *scene)
     return !out_of_memory;
 }
 
-static void fill_carrier_info(struct csgcast_scene *scene)
+void csg_scene_fill_carrier_info(struct csgcast_scene *scene)
 {
     const struct csg_carriers *carriers = scene->carriers;
     scene->info.num_planes =
@@ -202,7 +204,7 @@ static bool build_surfaces(struct csgcast_scene *scene)
 /* Leaves that one core looks at, at a time. */
 enum { CHUNK = 4096 };
 
-static void fill_box_of_leaf(struct csg_leaf *leaf)
+void csg_leaf_fill_box(struct csg_leaf *leaf)
 {
     leaf->box =
         leaf->is_empty ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.bounds);
@@ -212,15 +214,14 @@ static void fill_boxes_of_leaves(void *user, size_t chunk)
 {
     struct csgcast_scene *scene = user;
     for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++)
-        fill_box_of_leaf(&scene->leaves[i]);
+        csg_leaf_fill_box(&scene->leaves[i]);
 }
 
 /* Everything that follows asks for them, again and again. */
 static void fill_leaf_boxes(struct csgcast_scene *scene, const struct csg_before *before)
 {
-    for (size_t i = 0; i < scene->num_leaves && before; i++)
-        if (before->changed[i])
-            fill_box_of_leaf(&scene->leaves[i]);
+    for (size_t i = 0; before && i < before->num; i++)
+        csg_leaf_fill_box(&scene->leaves[before->leaves[i]]);
     if (before)
         return;
     csg_parallel(scene->num_threads, (scene->num_leaves + CHUNK - 1) / CHUNK, fill_boxes_of_leaves,
@@ -259,7 +260,7 @@ static bool finish(struct csgcast_scene *scene, const struct csg_before *before)
     scene->cells = csg_cells_store_create(scene);
     if (!scene->crowd || !scene->cells)
         return false;
-    fill_carrier_info(scene);
+    csg_scene_fill_carrier_info(scene);
     return true;
 }
 

@@ -51,6 +51,7 @@ struct csg_before;
 struct csg_cells_store;
 struct csg_crowd;
 struct csg_edits;
+struct csg_follower;
 struct csg_plan;
 struct csg_sharpnesses;
 
@@ -62,6 +63,7 @@ struct csgcast_scene {
     int num_threads;       /* that may work on it, see csg_parallel */
     bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
+    bool is_distributed;   /* objects were, see csg/distribute.h */
     uint64_t revision;     /* grows with each edit */
     double load_ms, csg_ms; /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves; /* in file order: the public leaf index */
@@ -77,6 +79,7 @@ struct csgcast_scene {
     struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
     struct csg_sharpnesses *sharpness; /* of objects: what their geometry asks of numbers */
     struct csg_cells_store *cells; /* cells/: of objects, on demand */
+    struct csg_follower *follower; /* of the edits since; or NULL */
     struct csg_box box;            /* of the model */
     struct csg_box drawn;          /* of the model, % and # */
     struct csg_box written;        /* what OpenSCAD's viewall frames */
@@ -90,6 +93,12 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
 
 /* Everything but source and edits. */
 void csg_scene_destroy(struct csgcast_scene *scene);
+/* Of a leaf that has changed. */
+void csg_leaf_fill_box(struct csg_leaf *leaf);
+
+/* Counts the distinct surfaces. */
+void csg_scene_fill_carrier_info(struct csgcast_scene *scene);
+
 /* Of that what csg_scene_finish makes, and the trees. */
 void csg_scene_drop_derived(struct csgcast_scene *scene);
 

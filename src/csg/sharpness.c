@@ -391,6 +391,35 @@ static bool fill_all(struct filling *filling, size_t num_kept)
     return ok;
 }
 
+bool csg_sharpness_measure(const struct csgcast_scene *scene, const uint32_t *objects, size_t num,
+                           struct csg_sharpness *out)
+{
+    struct surfaces surfaces = {.planes = {.all = {0}}};
+    uint8_t *marks = calloc(scene->num_leaves + 1, 1);
+    bool ok = marks != NULL;
+    for (size_t i = 0; i < num && ok; i++) {
+        out[i] = blunt;
+        ok = scene->sharpness->places[objects[i]] == CSG_SHARPNESS_OF_ONE ||
+             note_object(&out[i], scene, &scene->objects->data[objects[i]], &surfaces, marks);
+    }
+    free(marks);
+    finish_surfaces(&surfaces);
+    return ok;
+}
+
+void csg_sharpness_swap(struct csg_sharpnesses *sharpness, const uint32_t *objects, size_t num,
+                        struct csg_sharpness *other)
+{
+    for (size_t i = 0; i < num; i++) {
+        if (sharpness->places[objects[i]] == CSG_SHARPNESS_OF_ONE)
+            continue;
+        struct csg_sharpness *own = &sharpness->kept[sharpness->places[objects[i]]];
+        const struct csg_sharpness copy = *own;
+        *own = other[i];
+        other[i] = copy;
+    }
+}
+
 static uint32_t find_places(const struct csgcast_scene *scene, uint32_t *places)
 {
     uint32_t num = 0;

@@ -56,6 +56,13 @@ void csg_sharpness_destroy(struct csg_sharpnesses *sharpness);
 /* That of scene->sharpness for an object. Out of memory: as if it were as fine as can be. */
 struct csg_sharpness csg_sharpness_of(const struct csgcast_scene *scene, size_t object);
 
+/* Measures these objects anew, whatever is kept; and exchanges that with what is kept of them.
+ * false: out of memory. */
+bool csg_sharpness_measure(const struct csgcast_scene *scene, const uint32_t *objects, size_t num,
+                           struct csg_sharpness *out);
+void csg_sharpness_swap(struct csg_sharpnesses *sharpness, const uint32_t *objects, size_t num,
+                        struct csg_sharpness *other);
+
 /* The value, where it is the least. */
 void csg_sharpness_note(struct csg_sharpness *sharp, enum csg_fineness what, double value,
                         uint32_t leaf);

@@ -5,14 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crowd/crowd.h"
+#include "csg/follow.h"
 #include "scene/edits.h"
 
 /* The changes of one call. */
 struct session {
     struct csgcast_scene *scene;
     CSG_ARRAY(struct csg_patch) patches;
-    bool moves; /* some edit changes more than a colour */
+    bool moves; /* some edit changes more than a colour that lets nothing through */
+    bool regroups; /* a node of several solids becomes translucent, or opaque again */
 };
 
 size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene)
@@ -139,8 +140,23 @@ static void swap_all(struct session *session)
         csg_patch_swap(&session->patches.data[i], session->scene);
 }
 
+/* What lets others show through is drawn by other rules. */
+static void note_translucency(struct session *session)
+{
+    const struct csgcast_scene *scene = session->scene;
+    for (size_t i = 0; i < session->patches.num; i++) {
+        const struct csg_patch *patch = &session->patches.data[i];
+        const bool was = scene->leaves[patch->index].color[3] < 1;
+        if (was == (patch->leaf.color[3] < 1))
+            continue;
+        session->moves = true;
+        session->regroups |=
+            scene->edits->origins.data[patch->index].num > 1 || scene->wholes.num > 0;
+    }
+}
+
 /* Makes anew what follows from the patches, which are in. */
-static bool refinish(struct session *session)
+static bool refinish(struct session *session, const uint32_t *leaves)
 {
     const size_t num = session->patches.num;
     const struct csg_shape **shapes = malloc((num + 1) * sizeof *shapes);
@@ -148,26 +164,41 @@ static bool refinish(struct session *session)
         return csg_log_memory(&session->scene->log);
     for (size_t i = 0; i < num; i++)
         shapes[i] = &session->patches.data[i].leaf.shape;
-    const bool ok = csg_edits_refinish(session->scene, shapes);
+    const bool ok =
+        csg_edits_refinish(session->scene, shapes, leaves, num, session->regroups);
     free(shapes);
     return ok;
 }
 
-/* Puts the patches in. false, with nothing changed, when memory is out. */
-static bool commit(struct session *session)
+/* Puts the patches of these leaves in. false, with nothing changed, when memory is out. */
+static bool put_in(struct session *session, const uint32_t *leaves)
 {
     for (size_t i = 0; i < session->patches.num && session->moves; i++)
         if (!csg_patch_place(&session->patches.data[i]))
             return csg_log_memory(&session->scene->log);
     swap_all(session);
-    if (session->moves && !refinish(session)) {
+    if (session->moves && !refinish(session, leaves)) {
         swap_all(session);
         return false;
     }
     if (!session->moves)
-        csg_crowd_recolor(session->scene->crowd, session->scene);
+        csg_follow_colors(session->scene, leaves, session->patches.num);
     session->scene->revision++;
     return true;
+}
+
+static bool commit(struct session *session)
+{
+    const size_t num = session->patches.num;
+    uint32_t *leaves = malloc((num + 1) * sizeof *leaves);
+    if (!leaves)
+        return csg_log_memory(&session->scene->log);
+    for (size_t i = 0; i < num; i++)
+        leaves[i] = session->patches.data[i].index;
+    note_translucency(session);
+    const bool ok = put_in(session, leaves);
+    free(leaves);
+    return ok;
 }
 
 bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *edits,

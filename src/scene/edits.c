@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edits.h"
-#include "csg/carrier_edit.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "cells/store.h"
+#include "common/clock.h"
+#include "csg/follow.h"
 #include "scene/load.h"
 
 void csg_edits_destroy(struct csg_edits *edits)
@@ -61,10 +62,11 @@ static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edit
     return true;
 }
 
-bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes)
+static bool remake(struct csgcast_scene *scene, const struct csg_before *before)
 {
-    const struct csg_before before = {scene, scene->edits->patches, shapes};
     struct csgcast_scene next = *scene;
+    next.follower = NULL;
+    next.is_distributed = false;
     next.objects = NULL;
     next.carriers = NULL;
     next.crowd = NULL;
@@ -76,7 +78,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *con
     next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped,
                                             .num_rounded = scene->info.num_rounded};
     next.keeps_structure = true;
-    if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next, &before)) {
+    if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next, before)) {
         csg_scene_drop_derived(&next);
         return csg_log_memory(&scene->log);
     }
@@ -84,5 +86,17 @@ bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *con
     csg_scene_drop_derived(scene);
     *scene = next;
     scene->info.kinds = scene->kinds;
+    return true;
+}
+
+bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes,
+                        const uint32_t *leaves, size_t num, bool regroups)
+{
+    const struct csg_before before = {scene,  scene->edits->patches, shapes, leaves,
+                                      num,    scene->edits->trees};
+    const double start = csg_clock_ms();
+    if (regroups || !csg_follow(scene, &before))
+        return remake(scene, &before);
+    scene->csg_ms = csg_clock_ms() - start;
     return true;
 }

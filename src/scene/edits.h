@@ -7,7 +7,7 @@
 /* What a scene has besides once it is edited. */
 struct csg_edits {
     struct csg_origins origins;
-    struct csg_tree trees[CSG_NUM_LAYERS]; /* before anything was simplified */
+    struct csg_tree trees[CSG_NUM_LAYERS]; /* simplified, but for what boxes show */
     size_t num_dropped; /* solids of the text that have no leaf */
     uint32_t *patches;  /* by leaf: its place + 1 among the patches of the call at hand, or 0 */
 };
@@ -17,8 +17,11 @@ struct csg_edits {
 struct csg_edits *csg_edits_of(struct csgcast_scene *scene);
 void csg_edits_destroy(struct csg_edits *edits);
 
-/* Makes anew what follows from the leaves. shapes: by patch, of its leaf before. false, with a message and nothing changed: no memory. */
-bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes);
+/* Makes anew what follows from the leaves that have changed; shapes are theirs before. regroups: a
+ * node of several solids has become translucent or opaque. false, with a message and nothing
+ * changed: no memory. */
+bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes,
+                        const uint32_t *leaves, size_t num, bool regroups);
 
 /* A leaf as an edit will make it, by and by the leaf as it was. */
 struct csg_patch {

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CSG_TOTALS_H
+#define CSG_CSG_TOTALS_H
+
+/*
+ * What a scene's boxes are united from: sums over runs of objects. After an edit only the runs of
+ * the objects that changed are added up anew. Of scenes whose objects are all of the model.
+ */
+
+#include "csg/object.h"
+
+/* Of a run of objects. */
+struct csg_sum {
+    struct csg_box box, written; /* as in csgcast_scene */
+    double sagitta;
+};
+
+struct csg_totals {
+    struct csg_sum *sums;
+    size_t num;
+};
+
+/* false: out of memory. */
+bool csg_totals_init(struct csg_totals *totals, const struct csgcast_scene *scene);
+void csg_totals_finish(struct csg_totals *totals);
+
+/* Adds up the run of an object that has changed. */
+void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *scene,
+                      uint32_t object);
+
+/* Gives the scene its box, drawn, written and sagitta: those that csg_scene_finish finds. */
+void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene);
+
+#endif
