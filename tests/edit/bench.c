@@ -59,7 +59,7 @@ void bench_compare_pictures(const struct bench *bench, const char *what, bool wi
         normal += memcmp(bench->got.normal + 3 * i, bench->expected.normal + 3 * i, 12) != 0;
         id += with_id && bench->got.id[i] != bench->expected.id[i];
     }
-    CHECK(rgba + z + normal + id == 0, "%s: pixels differ, rgba %zu z %zu normal %zu id %zu\n%s",
+    CHECK(rgba + z + normal + id == 0, "%s: pixels differ, rgba %zu z %zu normal %zu id %zu\n%.4000s",
           what, rgba, z, normal, id, bench->text);
 }
 

@@ -42,10 +42,11 @@ void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scen
 void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
                    const struct model *model, const char *what, bool with_id);
 
-/* Random edits of random scenes (random.c), and cases by hand (cases.c). */
+/* Random edits of random scenes (random.c, many.c), and cases by hand (cases.c). */
 void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool editable);
 void check_programs(struct bench *bench, uint64_t seed, int max_leaves);
 void check_series(struct bench *bench, uint64_t seed);
+void check_many(struct bench *bench, uint64_t seed);
 void check_batch(struct bench *bench);
 void check_growth(struct bench *bench); /* before all others: no program is there */
 void check_cases(struct bench *bench);

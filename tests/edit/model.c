@@ -91,8 +91,34 @@ void model_init(struct model *model, uint64_t seed, int max_leaves)
     model->state = seed;
     struct model_node *root = &model->nodes[model->num_nodes++];
     root->op = 1;
-    for (; model->num_leaves < max_leaves && model->num_nodes < MODEL_MAX_NODES / 2; root->num++)
+    for (; model->num_leaves < max_leaves && model->num_nodes < 64; root->num++)
         add_node(model, max_leaves, 4);
+}
+
+/* Cells of the grid, and their size. */
+enum { NUM_CELLS = 6, CELL = 5 };
+
+void model_init_many(struct model *model, uint64_t seed, int num_objects)
+{
+    memset(model, 0, sizeof *model);
+    model->state = seed;
+    model->nodes[model->num_nodes++] = (struct model_node){1, num_objects};
+    for (int i = 0; i < num_objects; i++) {
+        const int num = pick(model, 3) ? 1 : 2 + pick(model, 2), first = model->num_leaves;
+        const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS,
+                              i / NUM_CELLS / NUM_CELLS};
+        if (num > 1)
+            model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num};
+        for (int j = 0; j < num; j++) {
+            model->nodes[model->num_nodes++] = (struct model_node){0, 0};
+            add_leaf(model);
+        }
+        for (int j = first; j < model->num_leaves; j++)
+            for (int k = 0; k < 3; k++) {
+                model->leaves[j].place[k] = CELL * place[k];
+                model->leaves[j].matrix[4 * k + 3] += CELL * place[k];
+            }
+    }
 }
 
 struct printer {

@@ -8,15 +8,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MODEL_MAX_LEAVES 48
-#define MODEL_MAX_NODES 128
-#define MODEL_MAX_TEXT 32768
+#define MODEL_MAX_LEAVES 512
+#define MODEL_MAX_NODES 1024
+#define MODEL_MAX_TEXT 262144
 
 struct model_leaf {
     const char *kind;
     char parameters[128];
     double matrix[16];
     float color[4]; /* r < 0: none */
+    double place[3]; /* of its object, where there are many */
 };
 
 /* The tree in pre-order: a leaf, or an op with this many operands. */
@@ -35,8 +36,11 @@ struct model {
 /* Uniform in [lo, hi). */
 double model_random(struct model *model, double lo, double hi);
 
-/* Not more than max_leaves, at most MODEL_MAX_LEAVES. */
+/* Not more than max_leaves, at most 48. */
 void model_init(struct model *model, uint64_t seed, int max_leaves);
+
+/* Objects of one solid to three in a grid of places, some of them with flush faces. */
+void model_init_many(struct model *model, uint64_t seed, int num_objects);
 
 void model_random_matrix(struct model *model, double matrix[16]);
 

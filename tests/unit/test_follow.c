@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* Which edits leave what they do not touch where it was; that pictures are the same, tests/edit
+ * checks. */
+#include <csgcast/csgcast.h>
+#include <string.h>
+
+#include "check.h"
+#include "csg/scene.h"
+
+static struct csgcast_scene *parse(const char *text)
+{
+    const struct csgcast_scene_params params = {.editable = true};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    CHECK(scene && csgcast_scene_set_parameters(scene, 0, "1"), "no scene"); /* what is kept is there */
+    return scene;
+}
+
+/* Whether an edit goes the short way. */
+static void expect(struct csgcast_scene *scene, const struct csgcast_edit *edit, bool is_short)
+{
+    const struct csg_plan *plan = scene->plan;
+    CHECK(csgcast_scene_edit(scene, edit, 1), "the edit fails");
+    CHECK((scene->plan == plan) == is_short, "leaf %zu: %s is made anew", edit->leaf,
+          is_short ? "all" : "not all");
+}
+
+static void check_ways(void)
+{
+    struct csgcast_scene *scene =
+        parse("sphere(1);\ntranslate([5, 0, 0]) sphere(1);\n"
+              "difference() { translate([9, 0, 0]) cube(3); translate([9, 0, 0]) sphere(1); }\n"
+              "translate([0, 9, 0]) linear_extrude(1) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);");
+    const double near[16] = {1, 0, 0, 5, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
+    const double cutting[16] = {1, 0, 0, 9, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
+    const float red[4] = {1, 0, 0, 1}, glass[4] = {1, 0, 0, 0.5f};
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .matrix = near}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .parameters = "1.5"}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .color = red}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .color = glass}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .parameters = "0"}, false); /* empty */
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .parameters = "2"}, false); /* and not */
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .parameters = "1"}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 3, .matrix = cutting}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 3, .matrix = near}, false); /* cuts nothing */
+    expect(scene, &(struct csgcast_edit){.leaf = 2, .parameters = "4"}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 4, .color = glass}, false); /* of two solids */
+    csgcast_scene_destroy(scene);
+}
+
+int main(void)
+{
+    check_ways();
+    return num_failed != 0;
+}
