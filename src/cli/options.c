@@ -234,6 +234,7 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     }
     options->scene.defines = options->defines;
     options->scene.fonts = options->fonts;
+    options->scene.fixed = true;
     options->scene.log = options->renderer.log = options->write.log = csg_cli_log;
     options->scene.log_user = options->renderer.log_user = options->write.log_user =
         &options->quiet;

@@ -37,6 +37,12 @@ struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
 {
     if (scene->edits)
         return scene->edits;
+    if (scene->source->params.fixed) {
+        csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT,
+                      "%s: the scene was read as a fixed one (csgcast_scene_params), whose leaves "
+                      "are neither told nor edited", scene->name);
+        return NULL;
+    }
     struct csg_edits *edits = calloc(1, sizeof *edits);
     uint32_t *patches = calloc(scene->num_leaves + 1, sizeof *patches);
     struct csgcast_scene *raw =

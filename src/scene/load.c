@@ -132,6 +132,18 @@ void csgcast_scene_destroy(struct csgcast_scene *scene)
     csg_scene_destroy(scene);
 }
 
+/* What is kept of the text, which is taken over. NULL: out of memory. */
+static struct csg_source *keep_source(char *text, size_t size,
+                                      const struct csgcast_scene_params *params)
+{
+    struct csgcast_scene_params kept = *params;
+    kept.fixed = params->fixed && !params->editable;
+    if (!kept.fixed)
+        return csg_source_create(text, size, &kept);
+    free(text);
+    return csg_source_create(NULL, 0, &kept);
+}
+
 /* The same as csgcast_scene_parse, but that text is taken over. */
 static struct csgcast_scene *parse_own(char *text, size_t size,
                                        const struct csgcast_scene_params *params)
@@ -142,7 +154,7 @@ static struct csgcast_scene *parse_own(char *text, size_t size,
         return NULL;
     }
     scene->keeps_structure = params->editable;
-    scene->source = csg_source_create(text, size, params);
+    scene->source = keep_source(text, size, params);
     if (scene->source ? csg_scene_finish(scene, NULL) : csg_log_memory(&scene->log))
         return scene;
     csgcast_scene_destroy(scene);

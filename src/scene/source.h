@@ -8,7 +8,7 @@
 
 /* What a scene was read from, kept for edits. */
 struct csg_source {
-    char *text; /* owned */
+    char *text; /* owned; NULL: of a fixed scene */
     size_t size;
     struct csgcast_scene_params params; /* without what was for the .scad, and without log */
     char *name, *directory, *openscad, *cache;  /* those of params, owned; NULL as there */

@@ -112,6 +112,8 @@ struct csgcast_scene_params {
     csgcast_log_fn *log;         /* NULL: standard error */
     void *log_user;              /* passed to log */
     int num_threads;             /* that read it, as in csgcast_renderer_params */
+    bool fixed;                  /* no edits will follow: the text, which they start from, is not
+                                  * kept, and they are errors. Not heeded where editable */
 };
 
 struct csgcast_scene;
@@ -239,7 +241,7 @@ struct csgcast_leaf {
 CSGCAST_API size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene);
 
 /* The first call on a scene, or the first edit, reads its text once more. false, with a message,
- * when there is no such leaf or memory is out. */
+ * when there is no such leaf, the scene is fixed (csgcast_scene_params) or memory is out. */
 CSGCAST_API bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t leaf,
                                         struct csgcast_leaf *info);
 
