@@ -72,7 +72,7 @@ static void check_nodes(struct csg_builder *builder)
         const struct csg_meaning *meaning = &builder->meanings[i];
         if (meaning->is_misplaced || nodes[i].modifiers & CSG_MODIFIER_DISABLE ||
             meaning->is_handed_off || meaning->role == CSG_ROLE_UNKNOWN ||
-            meaning->role == CSG_ROLE_UNSUPPORTED) {
+            meaning->role == CSG_ROLE_UNSUPPORTED || nodes[i].end == i + 1) {
             i = nodes[i].end;
             continue;
         }

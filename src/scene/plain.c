@@ -90,8 +90,8 @@ static bool skip_number(struct skipper *skipper)
 
 static bool take_word(struct skipper *skipper, const char *word, size_t length)
 {
-    const bool is_there = (size_t)(skipper->end - skipper->c) >= length &&
-                          memcmp(skipper->c, word, length) == 0;
+    const bool is_there =
+        (size_t)(skipper->end - skipper->c) >= length && memcmp(skipper->c, word, length) == 0;
     skipper->c += is_there ? length : 0;
     return is_there;
 }
