@@ -55,13 +55,13 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
 }
 
 /* As the faces of a scene that has nothing but the surface. */
-static bool fill_compared(struct csg_surface *surface)
+static bool fill_compared(struct csg_surface *surface, const struct csg_box *box)
 {
     bool wanted = true;
     struct csg_leaf leaf = {.shape = {.surface = surface,
                                       .frame = csg_map_identity,
                                       .rounding = surface->rounding},
-                            .box = csg_surface_box(surface)};
+                            .box = *box};
     const struct csgcast_scene scene = {.leaves = &leaf, .num_leaves = 1};
     struct csg_carrier_builder builder = {
         .scene = &scene, .wanted = &wanted, .carriers = calloc(1, sizeof *builder.carriers)};
@@ -80,15 +80,14 @@ static void count(struct csg_surface *surface)
         surface->num_own += surface->own[i].plane == i;
 }
 
-bool csg_own_faces_find(struct csg_surface *surface)
+bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box)
 {
     surface->own = calloc(surface->planes.num + 1, sizeof *surface->own);
-    surface->extents = csg_surface_extents(surface, &csg_map_identity);
-    bool ok = surface->own && surface->extents;
+    bool ok = surface->own != NULL;
     if (ok && surface->is_simple)
         fill_simple(surface);
     else if (ok)
-        ok = fill_compared(surface);
+        ok = fill_compared(surface, box);
     if (ok)
         count(surface);
     return ok;

@@ -11,8 +11,9 @@
 #include "mesh/surface.h"
 #include "solids/shape.h"
 
-/* Fills own, extents and num_own. false: out of memory. */
-bool csg_own_faces_find(struct csg_surface *surface);
+/* Fills own and num_own of a surface whose extents are there. Asks for no triangle. false: out of
+ * memory. */
+bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box);
 
 /* The plane of one face in a place, whose inverse is given. */
 struct csg_plane csg_own_plane(const struct csg_surface *surface, uint32_t face,

@@ -14,10 +14,10 @@
 #include "csg/framing.h"
 #include "csg/gather.h"
 #include "csg/object.h"
-#include "csg/own_faces.h"
 #include "csg/program.h"
 #include "csg/ways.h"
 #include "csg/sharpness.h"
+#include "csg/surfaces.h"
 #include "mesh/surface.h"
 
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)
@@ -192,13 +192,7 @@ static bool build_surfaces(struct csgcast_scene *scene)
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
         if (!close_subtracted(scene, &scene->trees[layer]))
             return false;
-    for (size_t i = 0; i < scene->num_leaves; i++) {
-        struct csg_surface *surface = scene->leaves[i].shape.surface;
-        if (surface && !surface->own &&
-            (!csg_surface_build(surface) || !csg_own_faces_find(surface)))
-            return false;
-    }
-    return true;
+    return csg_surfaces_build(scene);
 }
 
 /* Leaves that one core looks at, at a time. */
