@@ -10,6 +10,38 @@
 /* The index is made anew for scenes that have become so many times smaller than it. */
 #define MOST_ROOM 16
 
+static void *copy_of(const void *data, size_t num, size_t size)
+{
+    void *copy = malloc((num + 1) * size);
+    if (copy && num)
+        memcpy(copy, data, num * size);
+    return copy;
+}
+
+/* Of objects that are the same: leaves neither come nor go, and have as many faces. */
+static bool copy_same_faces(struct csg_carrier_change *change)
+{
+    const struct csg_before *before = change->before;
+    const struct csg_carriers *old = before->scene->carriers;
+    struct csg_carriers *carriers = change->carriers;
+    const size_t num = change->scene->num_leaves;
+    carriers->face_begin = copy_of(old->face_begin, num + 1, sizeof *old->face_begin);
+    carriers->faces = copy_of(old->faces, old->face_begin[num], sizeof *old->faces);
+    carriers->quadric_faces = copy_of(old->quadric_faces, num, sizeof *old->quadric_faces);
+    carriers->sheets = copy_of(old->sheets, num, sizeof *old->sheets);
+    carriers->num_own = old->num_own;
+    if (!carriers->face_begin || !carriers->faces || !carriers->quadric_faces || !carriers->sheets)
+        return false;
+    for (size_t i = 0; i < before->num; i++) {
+        const uint32_t leaf = before->leaves[i];
+        carriers->renewed[leaf] = true;
+        carriers->quadric_faces[leaf].carrier = CSG_NO_CARRIER;
+        for (uint32_t j = old->face_begin[leaf]; j < old->face_begin[leaf + 1]; j++)
+            carriers->faces[j].carrier = CSG_NO_CARRIER;
+    }
+    return true;
+}
+
 /* Leaves that are out keep no carriers, and those that come have none yet. */
 static void copy_faces(struct csg_carrier_change *change)
 {
@@ -32,13 +64,6 @@ static void copy_faces(struct csg_carrier_change *change)
     }
 }
 
-static void *copy_of(const void *data, size_t num, size_t size)
-{
-    void *copy = malloc((num + 1) * size);
-    if (copy && num)
-        memcpy(copy, data, num * size);
-    return copy;
-}
 
 static bool start_work(struct csg_carrier_work *work, size_t num_carriers)
 {
@@ -76,19 +101,106 @@ static void count(const struct csg_carrier_builder *builder, struct csg_carriers
                            carriers->num_quadrics;
 }
 
+/* Whether the object has no quadric in common with another leaf; its own then get their boxes. */
+static bool fill_own_boxes(struct csg_carrier_change *change, const struct csg_object *object)
+{
+    const struct csg_node *nodes = change->scene->trees[object->layer].data;
+    struct csg_carriers *carriers = change->carriers;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        const uint32_t carrier = carriers->quadric_faces[nodes[i].leaf].carrier;
+        if (carrier == CSG_NO_CARRIER)
+            continue;
+        if (change->builder->lists[CSG_QUADRIC].uses.data[carrier] > 1)
+            return false;
+        const struct csg_box box = csg_leaf_box(&change->scene->leaves[nodes[i].leaf]);
+        const struct csg_box seen = csg_box_intersection(&box, &object->box);
+        carriers->quadric_boxes[carrier] = csg_box_is_empty(&seen) ? csg_box_empty : seen;
+    }
+    return true;
+}
+
+/* Whether no leaf but those that changed has other carriers, and none shares a quadric that one of
+ * those has left. */
+static bool are_alone(const struct csg_carrier_change *change)
+{
+    const struct csg_before *before = change->before;
+    const struct csg_carriers *old = before->scene->carriers, *carriers = change->carriers;
+    size_t num = 0;
+    for (size_t i = 0; i < change->scene->num_leaves; i++)
+        num += carriers->renewed[i];
+    for (size_t i = 0; i < before->num && num == before->num; i++) {
+        const uint32_t left = old->quadric_faces[before->leaves[i]].carrier;
+        if (left != CSG_NO_CARRIER &&
+            left != carriers->quadric_faces[before->leaves[i]].carrier &&
+            change->builder->lists[CSG_QUADRIC].uses.data[left] > 0)
+            return false;
+    }
+    return num == before->num;
+}
+
+/* What csg_carriers_fill_boxes finds. */
+static bool follow_boxes(struct csg_carrier_change *change)
+{
+    const struct csg_before *before = change->before;
+    const struct csg_carriers *old = before->scene->carriers;
+    struct csg_carriers *carriers = change->carriers;
+    const size_t num = carriers->num_quadrics + 1;
+    bool alone = before->objects && are_alone(change);
+    carriers->quadric_boxes = alone ? malloc(num * sizeof *carriers->quadric_boxes) : NULL;
+    if (!carriers->quadric_boxes)
+        return csg_carriers_fill_boxes(change->scene, carriers);
+    memcpy(carriers->quadric_boxes, old->quadric_boxes,
+           old->num_quadrics * sizeof *old->quadric_boxes);
+    for (size_t i = 0; i < before->num_objects && alone; i++)
+        alone = fill_own_boxes(change, &change->scene->objects->data[before->objects[i]]);
+    if (alone)
+        return true;
+    free(carriers->quadric_boxes);
+    return csg_carriers_fill_boxes(change->scene, carriers);
+}
+
 static bool follow(struct csg_carrier_change *change)
 {
     struct csg_carrier_builder *builder = change->builder;
     builder->scene = change->scene;
     builder->carriers = change->carriers;
-    if (!copy_carriers(change) || !csg_carriers_allocate_faces(builder))
+    const bool same = change->before->objects != NULL;
+    if (!copy_carriers(change) ||
+        !(same ? copy_same_faces(change) : csg_carriers_allocate_faces(builder)))
         return false;
-    copy_faces(change);
+    if (!same)
+        copy_faces(change);
     if (!csg_carrier_exchange(change) || !csg_carrier_settle(change, CSG_PLANE) ||
         !csg_carrier_settle(change, CSG_QUADRIC))
         return false;
     count(builder, change->carriers);
-    return csg_carriers_fill_boxes(change->scene, change->carriers);
+    return follow_boxes(change);
+}
+
+static bool is_speck(const struct csg_carrier_change *change, const struct csg_box *all)
+{
+    return !(csg_length(csg_sub(all->hi, all->lo)) * MOST_ROOM > change->builder->radius);
+}
+
+/* The same of objects that are the same, whose box is within that of their leaves. */
+static bool has_same_room(struct csg_carrier_change *change)
+{
+    struct csg_carrier_builder *builder = change->builder;
+    const struct csg_before *before = change->before;
+    if (!before->objects || !csg_box_is_finite(before->box) || is_speck(change, before->box))
+        return false;
+    builder->scene = change->scene;
+    for (size_t i = 0; i < before->num; i++) {
+        const uint32_t leaf = before->leaves[i];
+        if (change->wanted[leaf] && !csg_carrier_has_room(builder, leaf))
+            return false;
+        if (change->wanted[leaf])
+            builder->largest_rounding =
+                fmax(builder->largest_rounding, change->scene->leaves[leaf].shape.rounding);
+    }
+    return true;
 }
 
 /* Whether all that comes has room in the index, and the rest is no speck in it. */
@@ -109,7 +221,7 @@ static bool has_room(struct csg_carrier_change *change)
         builder->largest_rounding =
             fmax(builder->largest_rounding, change->scene->leaves[i].shape.rounding);
     }
-    return num > 1 && csg_length(csg_sub(all.hi, all.lo)) * MOST_ROOM > builder->radius;
+    return num > 1 && !is_speck(change, &all);
 }
 
 static void finish(struct csg_carrier_change *change)
@@ -153,9 +265,12 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
     change.wanted = calloc(scene->num_leaves + 1, sizeof *change.wanted);
     if (!change.wanted)
         return NULL;
-    csg_carrier_mark_wanted(scene, change.wanted);
+    if (before->objects)
+        memcpy(change.wanted, change.builder->wanted, scene->num_leaves * sizeof *change.wanted);
+    else
+        csg_carrier_mark_wanted(scene, change.wanted);
     struct csg_carriers *carriers =
-        has_room(&change) ? make(&change) : csg_carriers_create(scene, true);
+        has_same_room(&change) || has_room(&change) ? make(&change) : csg_carriers_create(scene, true);
     finish(&change);
     return carriers;
 }

@@ -18,6 +18,11 @@ struct csg_before {
     const uint32_t *leaves;                /* that have changed, one for each shape */
     size_t num;
     const struct csg_tree *trees; /* by layer: simplified, but for what boxes show */
+    /* Where the objects are those that were there (csg/follow.h), the ones whose boxes may be
+     * others now, and the box of all; else NULL. */
+    const uint32_t *objects;
+    size_t num_objects;
+    const struct csg_box *box;
 };
 
 /*

@@ -71,13 +71,26 @@ static bool put_in(struct csg_carrier_change *change, uint32_t leaf)
     return true;
 }
 
+static bool go(struct csg_carrier_change *change, uint32_t leaf)
+{
+    return !csg_is_touched(change, leaf) || !change->builder->wanted[leaf] ||
+           take_out(change, leaf);
+}
+
+static bool come(struct csg_carrier_change *change, uint32_t leaf)
+{
+    return !csg_is_touched(change, leaf) || !change->wanted[leaf] || put_in(change, leaf);
+}
+
 bool csg_carrier_exchange(struct csg_carrier_change *change)
 {
-    const size_t num = change->scene->num_leaves;
+    const struct csg_before *before = change->before;
+    const bool same = before->objects != NULL;
+    const size_t num = same ? before->num : change->scene->num_leaves;
     bool ok = true; /* all go before the first one comes */
     for (uint32_t i = 0; i < num && ok; i++)
-        ok = !csg_is_touched(change, i) || !change->builder->wanted[i] || take_out(change, i);
+        ok = go(change, same ? before->leaves[i] : i);
     for (uint32_t i = 0; i < num && ok; i++)
-        ok = !csg_is_touched(change, i) || !change->wanted[i] || put_in(change, i);
+        ok = come(change, same ? before->leaves[i] : i);
     return ok;
 }

@@ -160,18 +160,22 @@ static bool has_kin(const struct follow *follow, const struct csg_carriers *carr
     return found;
 }
 
+/* The quadrics of the objects that are known to be concerned. */
 static void mark_quadrics(const struct follow *follow, const struct csg_carriers *carriers,
                           uint8_t *marks)
 {
-    for (size_t i = 0; i < follow->before->num; i++) {
-        const uint32_t carrier = carriers->quadric_faces[follow->before->leaves[i]].carrier;
-        if (carrier != CSG_NO_CARRIER)
-            marks[carrier] = 1;
+    for (size_t i = 0; i < follow->boxes.num; i++) {
+        const struct csg_object *object = &follow->scene->objects->data[follow->objects.data[i]];
+        const struct csg_node *nodes = follow->scene->trees[object->layer].data;
+        for (uint32_t j = object->begin; j < object->end; j++)
+            if (nodes[j].op == CSG_LEAF && !nodes[j].spare &&
+                carriers->quadric_faces[nodes[j].leaf].carrier != CSG_NO_CARRIER)
+                marks[carriers->quadric_faces[nodes[j].leaf].carrier] = 1;
     }
 }
 
-/* The objects of leaves that share a quadric with those that changed, or did: what can be seen of
- * it is another part now. */
+/* The objects that share a quadric with those, or did: what can be seen of it may be another part
+ * now. */
 static bool add_sharers(struct follow *follow, const struct csg_carriers *old)
 {
     const struct csg_carriers *carriers = follow->scene->carriers;
@@ -207,21 +211,35 @@ static bool add_renewed(struct follow *follow)
     return true;
 }
 
+/* The box of all objects as they are now. */
+static struct csg_box renew_totals(struct follow *follow)
+{
+    for (size_t i = 0; i < follow->boxes.num; i++)
+        csg_totals_renew(&follow->follower->totals, follow->scene, follow->objects.data[i]);
+    return csg_totals_box(&follow->follower->totals);
+}
+
 /* The scene gets its new carriers, and old what it had. */
 static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
 {
     struct csgcast_scene *scene = follow->scene;
-    const bool had_kin = scene->carriers->num_shared > 0 && has_kin(follow, scene->carriers);
-    struct csg_carriers *carriers = csg_carriers_edit(scene, follow->before);
+    const bool had_shared = scene->carriers->num_shared > 0;
+    const bool had_kin = had_shared && has_kin(follow, scene->carriers);
+    const struct csg_box box = renew_totals(follow);
+    struct csg_before before = *follow->before;
+    before.objects = follow->objects.data;
+    before.num_objects = follow->objects.num;
+    before.box = &box;
+    struct csg_carriers *carriers = csg_carriers_edit(scene, &before);
     if (!carriers)
         return false;
     *old = scene->carriers;
     scene->carriers = carriers;
     if (!carriers->renewed) /* found anew, for all leaves */
         return false;
-    const bool has = carriers->num_shared > 0 && has_kin(follow, carriers);
-    follow->joins = had_kin || has;
-    return add_renewed(follow) && (!follow->joins || add_sharers(follow, *old));
+    const bool has_shared = carriers->num_shared > 0;
+    follow->joins = had_kin || (has_shared && has_kin(follow, carriers));
+    return add_renewed(follow) && (!(had_shared || has_shared) || add_sharers(follow, *old));
 }
 
 /* ---- what follows from both ---------------------------------------------------------------- */
@@ -259,8 +277,6 @@ static void renew_rest(struct follow *follow)
     struct csgcast_scene *scene = follow->scene;
     for (size_t i = 0; i < follow->objects.num; i++)
         csg_cells_store_renew(scene->cells, follow->objects.data[i]);
-    for (size_t i = 0; i < follow->boxes.num; i++)
-        csg_totals_renew(&follow->follower->totals, scene, follow->objects.data[i]);
     csg_totals_put(&follow->follower->totals, scene);
     csg_scene_fill_carrier_info(scene);
 }
@@ -312,6 +328,10 @@ bool csg_follow(struct csgcast_scene *scene, const struct csg_before *before)
     if (done)
         renew_rest(&follow);
     finish(&follow, done);
+    if (!done) { /* its totals may be those after the edit */
+        csg_follower_destroy(scene->follower);
+        scene->follower = NULL;
+    }
     return done;
 }
 

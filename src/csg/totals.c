@@ -61,6 +61,14 @@ void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *sce
     add_run(totals, scene, object / RUN);
 }
 
+struct csg_box csg_totals_box(const struct csg_totals *totals)
+{
+    struct csg_box box = csg_box_empty;
+    for (size_t i = 0; i < totals->num; i++)
+        box = csg_box_union(&box, &totals->sums[i].box);
+    return box;
+}
+
 void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene)
 {
     struct csg_sum all = nothing();

@@ -28,6 +28,9 @@ void csg_totals_finish(struct csg_totals *totals);
 void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *scene,
                       uint32_t object);
 
+/* Of all objects. */
+struct csg_box csg_totals_box(const struct csg_totals *totals);
+
 /* Gives the scene its box, drawn, written and sagitta: those that csg_scene_finish finds. */
 void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene);
 

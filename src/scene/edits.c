@@ -98,8 +98,12 @@ static bool remake(struct csgcast_scene *scene, const struct csg_before *before)
 bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes,
                         const uint32_t *leaves, size_t num, bool regroups)
 {
-    const struct csg_before before = {scene,  scene->edits->patches, shapes, leaves,
-                                      num,    scene->edits->trees};
+    const struct csg_before before = {.scene = scene,
+                                      .changed = scene->edits->patches,
+                                      .shapes = shapes,
+                                      .leaves = leaves,
+                                      .num = num,
+                                      .trees = scene->edits->trees};
     const double start = csg_clock_ms();
     if (regroups || !csg_follow(scene, &before))
         return remake(scene, &before);
