@@ -64,7 +64,8 @@ struct csg_carrier_builder {
     struct csg_loners loners;   /* neither in the index nor in the table */
     double radius;              /* of the finite part of the scene; where it keeps, with room */
     double largest_rounding;    /* of the leaves at hand */
-    double largest_slack, largest_tolerance; /* see csg_index_start */
+    double most_rounding;       /* ... and where it keeps, of those that may come */
+    struct csg_carrier_reach reach; /* of the index */
     CSG_ARRAY(struct csg_rank) leaves; /* in their order */
 };
 

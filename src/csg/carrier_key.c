@@ -3,11 +3,14 @@
 
 #include "csg/grid.h"
 
-/* Neighbours are looked at where they are as near as this, in cells. Lengths: coincident faces
- * differ by less, so that most of the time one cell of two does. Directions: the nearer one always.
- */
-#define NEAR_LENGTH 0.25
-#define NEAR_DIRECTION 0.5
+/* Neighbours are looked at where they are as near as this, in cells: coincident faces differ by
+ * less, so that most of the time one cell of two does. Of the widest cells of directions the nearer
+ * one always. */
+#define NEAR 0.25
+#define ALWAYS 0.5
+
+/* Normals are rounded to less. */
+#define LEAST_TURN 1e-12
 
 /* Places of quadrics are counted in parts of a cell; a part more for their rounding. */
 #define PARTS 64
@@ -20,13 +23,16 @@ enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
 static const struct csg_vec3 probes[3] = {
     {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.2371, -0.6127, -0.3343}};
 
-struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius, double slack,
-                                           double tolerance)
+struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius,
+                                           const struct csg_carrier_reach *reach)
 {
+    const double direction = fmax(reach->turn, LEAST_TURN) / NEAR;
     struct csg_carrier_space space = {.center = center,
                                       .radius = radius,
-                                      .cell = fmax(8 * slack, 2e-9 * radius),
-                                      .fine = fmax(4 * tolerance, 1e-12 * radius)};
+                                      .cell = fmax(8 * reach->slack, 2e-9 * radius),
+                                      .fine = fmax(4 * reach->tolerance, 1e-12 * radius),
+                                      .direction = fmin(direction, CSG_DIRECTION_CELL)};
+    space.near_direction = direction > CSG_DIRECTION_CELL ? ALWAYS : NEAR;
     for (int i = 0; i < 3; i++)
         space.probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     return space;
@@ -50,7 +56,7 @@ static double parallel_coordinate(const struct csg_carrier_space *space,
 static void plane_coordinates(const struct csg_carrier_space *space, const struct csg_plane *plane,
                               double coordinates[3])
 {
-    csg_direction_coordinates(plane->normal, coordinates);
+    csg_direction_coordinates(plane->normal, space->direction, coordinates);
     coordinates[2] = fabs(offset_of(space, plane)) / space->cell;
 }
 
@@ -148,7 +154,7 @@ int csg_parallel_keys(const struct csg_carrier_space *space, const struct csg_pl
     const double coordinate = parallel_coordinate(space, plane);
     const int64_t number = csg_direction_number(plane->normal);
     keys[0] = parallel_key(number, csg_grid_cell(coordinate));
-    if (!csg_grid_is_near(coordinate, NEAR_LENGTH))
+    if (!csg_grid_is_near(coordinate, NEAR))
         return 1;
     keys[1] = parallel_key(number, csg_grid_neighbour(coordinate));
     return 2;
@@ -164,7 +170,7 @@ uint64_t csg_normal_key(const struct csg_carrier_space *space, const struct csg_
 int csg_normal_keys(const struct csg_carrier_space *space, const struct csg_plane *plane,
                     uint64_t keys[8])
 {
-    static const double near[3] = {NEAR_DIRECTION, NEAR_DIRECTION, NEAR_LENGTH};
+    const double near[3] = {space->near_direction, space->near_direction, NEAR};
     double coordinates[3];
     plane_coordinates(space, plane, coordinates);
     return keys_around(KEY_NORMAL, coordinates, near, keys);
@@ -210,7 +216,7 @@ uint64_t csg_quadric_key(const struct csg_carrier_space *space, const struct csg
 int csg_quadric_keys(const struct csg_carrier_space *space, const struct csg_quadric *quadric,
                      uint64_t keys[8], uint16_t place[3])
 {
-    static const double near[3] = {NEAR_LENGTH, NEAR_LENGTH, NEAR_LENGTH};
+    static const double near[3] = {NEAR, NEAR, NEAR};
     double coordinates[3];
     quadric_coordinates(space, quadric, coordinates);
     put_place(coordinates, place);

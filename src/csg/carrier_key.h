@@ -10,6 +10,13 @@
 
 #include "csg/directions.h"
 
+/* How far faces that coincide may differ. */
+struct csg_carrier_reach {
+    double slack;     /* where they are measured */
+    double tolerance; /* on the leaf */
+    double turn;      /* normals, or more: above 1/64 some are not found */
+};
+
 /* Where faces are measured, and the sides of the cells. */
 struct csg_carrier_space {
     struct csg_vec3 center; /* where offsets are measured */
@@ -17,11 +24,12 @@ struct csg_carrier_space {
     struct csg_vec3 probes[3]; /* where quadrics are measured */
     double cell; /* length; coincident faces differ by less than a quarter of it, where measured */
     double fine; /* the same for parallel planes, which differ by as much everywhere */
+    double direction;      /* the same for normals, */
+    double near_direction; /* ... but by less than this share of it */
 };
 
-/* slack: how far coincident faces may be apart where they are measured; tolerance: on the leaf. */
-struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius, double slack,
-                                           double tolerance);
+struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius,
+                                           const struct csg_carrier_reach *reach);
 
 /* Of its cell: among planes of one normal, whose number it is; by normal and offset; of a quadric,
  * with its place, more finely than its cell. */

@@ -2,6 +2,7 @@
 
 /* Where a scene's faces are looked up, and how far those that coincide may differ there. */
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "common/parallel.h"
@@ -60,12 +61,25 @@ static double slack_of(const struct csg_carrier_builder *builder, uint32_t leaf,
            (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
 }
 
+/* By how much a face that has that rounding and coincides with one of the leaf's may be turned.
+ * Faces of a surface are as small as may be. */
+static double turn_of(const struct csg_carrier_builder *builder, uint32_t leaf,
+                      const struct csg_leaf_extent *extent, double rounding)
+{
+    return builder->scene->leaves[leaf].shape.surface
+               ? INFINITY
+               : fmax(csg_carrier_tolerance(extent, rounding) / extent->radius,
+                      CSG_COINCIDENT_RELATIVE);
+}
+
 /* Leaves that one core looks at, at a time. */
 enum { CHUNK = 4096 };
 
-/* The most of some leaves: how far two matching faces can differ, and their rounding. */
+/* The most of some leaves: how far two matching faces can differ, one of them exact where it is by
+ * how much they are turned; their rounding; and 1 / radius. */
 struct extremes {
-    double slack, tolerance, rounding;
+    struct csg_carrier_reach reach;
+    double rounding, smallness;
 };
 
 struct survey {
@@ -77,33 +91,45 @@ static void survey_chunk(void *user, size_t chunk)
 {
     const struct survey *survey = user;
     const struct csg_carrier_builder *builder = survey->builder;
-    struct extremes most = {0, 0, 0};
+    struct extremes most = {{0}, 0, 0};
     for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < builder->scene->num_leaves; i++) {
         if (!builder->wanted[i])
             continue;
         const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, (uint32_t)i);
-        most.slack = fmax(most.slack, slack_of(builder, (uint32_t)i, &extent));
-        most.tolerance = fmax(most.tolerance, double_tolerance(&extent));
+        most.reach.slack = fmax(most.reach.slack, slack_of(builder, (uint32_t)i, &extent));
+        most.reach.tolerance = fmax(most.reach.tolerance, double_tolerance(&extent));
+        most.reach.turn = fmax(most.reach.turn, turn_of(builder, (uint32_t)i, &extent, 0));
         most.rounding = fmax(most.rounding, extent.rounding);
+        most.smallness = fmax(most.smallness, fmin(1 / extent.radius, DBL_MAX));
     }
     survey->extremes[chunk] = most;
+}
+
+static void merge(struct extremes *to, const struct extremes *from)
+{
+    to->reach.slack = fmax(to->reach.slack, from->reach.slack);
+    to->reach.tolerance = fmax(to->reach.tolerance, from->reach.tolerance);
+    to->reach.turn = fmax(to->reach.turn, from->reach.turn);
+    to->rounding = fmax(to->rounding, from->rounding);
+    to->smallness = fmax(to->smallness, from->smallness);
 }
 
 static bool find_extremes(struct csg_carrier_builder *builder, double room)
 {
     const size_t num = (builder->scene->num_leaves + CHUNK - 1) / CHUNK;
     struct survey survey = {builder, malloc((num + 1) * sizeof *survey.extremes)};
-    builder->largest_slack = builder->largest_tolerance = builder->largest_rounding = 0;
+    struct extremes most = {{0}, 0, 0};
     if (!survey.extremes)
         return false;
     csg_parallel(builder->scene->num_threads, num, survey_chunk, &survey);
-    for (size_t i = 0; i < num; i++) {
-        const struct extremes *most = &survey.extremes[i];
-        builder->largest_slack = fmax(builder->largest_slack, room * most->slack);
-        builder->largest_tolerance = fmax(builder->largest_tolerance, room * most->tolerance);
-        builder->largest_rounding = fmax(builder->largest_rounding, most->rounding);
-    }
+    for (size_t i = 0; i < num; i++)
+        merge(&most, &survey.extremes[i]);
     free(survey.extremes);
+    builder->largest_rounding = most.rounding;
+    builder->most_rounding = room * most.rounding;
+    builder->reach.slack = room * most.reach.slack;
+    builder->reach.tolerance = room * most.reach.tolerance;
+    builder->reach.turn = room * (most.reach.turn + builder->most_rounding * most.smallness);
     return true;
 }
 
@@ -117,8 +143,8 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder)
     builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box.hi, box.lo));
     if (!find_extremes(builder, room))
         return false;
-    const struct csg_carrier_space space = csg_carrier_space(
-        center, builder->radius, builder->largest_slack, builder->largest_tolerance);
+    const struct csg_carrier_space space =
+        csg_carrier_space(center, builder->radius, &builder->reach);
     return csg_index_start(&builder->index, &space);
 }
 
@@ -135,6 +161,8 @@ bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t le
     const double away = csg_length(csg_sub(extent.center, builder->index.space.center));
     return csg_carrier_can_follow(builder, leaf) &&
            away + extent.radius <= builder->radius &&
-           slack_of(builder, leaf, &extent) <= builder->largest_slack &&
-           double_tolerance(&extent) <= builder->largest_tolerance;
+           extent.rounding <= builder->most_rounding &&
+           turn_of(builder, leaf, &extent, builder->most_rounding) <= builder->reach.turn &&
+           slack_of(builder, leaf, &extent) <= builder->reach.slack &&
+           double_tolerance(&extent) <= builder->reach.tolerance;
 }

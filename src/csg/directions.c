@@ -5,9 +5,6 @@
 
 #include "csg/grid.h"
 
-/* Side of a cell of directions: faces that coincide over a leaf are turned by far less. */
-#define DIRECTION_CELL (1.0 / 32)
-
 /* Directions no face of a real model is aligned with. */
 static const struct csg_vec3 generic[2] = {{0.4370160, 0.6180340, 0.6535291},
                                            {0.7236068, -0.5257311, 0.4472136}};
@@ -30,11 +27,11 @@ int64_t csg_direction_number(struct csg_vec3 n)
     return (int64_t)(hash >> 2) + 1;
 }
 
-void csg_direction_coordinates(struct csg_vec3 normal, double coordinates[2])
+void csg_direction_coordinates(struct csg_vec3 normal, double cell, double coordinates[2])
 {
     /* A normal across the generic direction may flip under rounding: its sign says nothing. */
     for (int i = 0; i < 2; i++)
-        coordinates[i] = fabs(csg_dot(normal, generic[i])) / DIRECTION_CELL;
+        coordinates[i] = fabs(csg_dot(normal, generic[i])) / cell;
 }
 
 /* Cells are numbered from -1, a neighbour's; what is no direction goes to the last one. */
@@ -55,7 +52,7 @@ static void note(struct csg_directions *directions, size_t place, int64_t number
 void csg_directions_add(struct csg_directions *directions, struct csg_vec3 normal)
 {
     double at[2];
-    csg_direction_coordinates(normal, at);
+    csg_direction_coordinates(normal, CSG_DIRECTION_CELL, at);
     note(directions, place_of(csg_grid_cell(at[0]), csg_grid_cell(at[1])),
          csg_direction_number(normal));
 }
@@ -78,7 +75,7 @@ bool csg_directions_are_shared(const struct csg_directions *directions, struct c
 {
     const int64_t number = csg_direction_number(normal);
     double at[2];
-    csg_direction_coordinates(normal, at);
+    csg_direction_coordinates(normal, CSG_DIRECTION_CELL, at);
     for (int k = 0; k < 9; k++)
         if (has_other(directions, csg_grid_cell(at[0]) + k % 3 - 1,
                       csg_grid_cell(at[1]) + k / 3 - 1, number))
@@ -90,7 +87,7 @@ bool csg_directions_nearly_agree(const struct csg_directions *directions, struct
 {
     const int64_t number = csg_direction_number(normal);
     double at[2];
-    csg_direction_coordinates(normal, at);
+    csg_direction_coordinates(normal, CSG_DIRECTION_CELL, at);
     for (int k = 0; k < 4; k++)
         if (has_other(directions, k & 1 ? csg_grid_neighbour(at[0]) : csg_grid_cell(at[0]),
                       k & 2 ? csg_grid_neighbour(at[1]) : csg_grid_cell(at[1]), number))

@@ -25,8 +25,12 @@ int64_t csg_direction_number(struct csg_vec3 normal);
 /* Whether that normal, and not its reverse, is turned for its number. */
 bool csg_direction_is_reversed(struct csg_vec3 normal);
 
-/* In cells, the same for the reverse. */
-void csg_direction_coordinates(struct csg_vec3 normal, double coordinates[2]);
+/* Side of the widest cells of directions that are of use. */
+#define CSG_DIRECTION_CELL (1.0 / 32)
+
+/* In cells of that side, the same for the reverse. Those of normals that differ by a vector differ
+ * by its length at most. */
+void csg_direction_coordinates(struct csg_vec3 normal, double cell, double coordinates[2]);
 
 void csg_directions_add(struct csg_directions *directions, struct csg_vec3 normal);
 void csg_directions_merge(struct csg_directions *to, const struct csg_directions *from);

@@ -152,12 +152,16 @@ static void add_face(struct batch *batch, int num, uint8_t *alone)
         flush(batch);
 }
 
-/* None for a plane that is looked for under other normals, too: it is no loner. */
+/* A plane is looked for under other normals where these nearly agree: so are then those that it may
+ * coincide with. */
 static int plane_keys(const struct search *search, const struct csg_plane *plane, uint64_t keys[8])
 {
-    if (search->is_dense || csg_directions_are_shared(search->directions, plane->normal))
+    const struct csg_carrier_space *space = &search->builder->index.space;
+    if (search->is_dense)
         return 0;
-    return csg_parallel_keys(&search->builder->index.space, plane, keys);
+    return csg_directions_are_shared(search->directions, plane->normal)
+               ? csg_normal_keys(space, plane, keys)
+               : csg_parallel_keys(space, plane, keys);
 }
 
 /* Enters a leaf's keys, or with judged asks whether its faces are alone. */
