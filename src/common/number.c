@@ -92,6 +92,31 @@ static bool convert_exactly(const struct decimal *decimal, double *value)
     return true;
 }
 
+/*
+ * The same with long doubles of 64 bits and more, which hold all digits. Their quotient is rounded
+ * once more, which is right unless it lies halfway between two doubles: then 2 * quotient - nearest
+ * is a double, the one behind the nearest.
+ */
+static bool convert_widely(const struct decimal *decimal, double *value)
+{
+#if LDBL_MANT_DIG >= 64
+    static const long double wide[] = {1e23L, 1e24L, 1e25L, 1e26L, 1e27L};
+    const long exponent = decimal->exponent, size = labs(exponent);
+    if (decimal->num_digits + decimal->num_zeros > max_digits || size > max_power + 5)
+        return false;
+    const long double power = size > max_power ? wide[size - max_power - 1] : powers[size];
+    const long double digits = decimal->digits;
+    const long double quotient = exponent < 0 ? digits / power : digits * power;
+    const double nearest = (double)quotient;
+    const long double behind = 2 * quotient - nearest;
+    *value = nearest;
+    return behind == nearest || (double)behind != behind;
+#else
+    (void)decimal, (void)value;
+    return false;
+#endif
+}
+
 /* strtod wants the locale's decimal point and a terminating zero. */
 static bool convert_slowly(const char *text, size_t length, double *value)
 {
@@ -143,7 +168,8 @@ bool csg_number_read(const char *text, size_t length, struct csg_number *number)
     }
     if (at != length)
         return false;
-    if (!convert_exactly(&decimal, &number->value) && !convert_slowly(text, length, &number->value))
+    if (!convert_exactly(&decimal, &number->value) &&
+        !convert_widely(&decimal, &number->value) && !convert_slowly(text, length, &number->value))
         return false;
     number->rounding = rounding_of(&decimal, number->value);
     return true;

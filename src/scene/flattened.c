@@ -13,7 +13,7 @@
 /* The name of a frame's text, as openscad --animate makes it; NULL: out of memory. */
 static char *path_of(const struct csg_flattened *flattened, size_t frame)
 {
-    char name[48] = "scene.csg";
+    char name[48] = CSG_DIGITS_STILL;
     if (flattened->num_frames > 0)
         snprintf(name, sizeof name, "scene%05zu.csg", frame);
     return csg_folder_file(&flattened->folder, name);

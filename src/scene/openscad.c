@@ -48,7 +48,7 @@ static bool make_folder(struct run *run)
     struct csg_folder *folder = &run->flattened->folder;
     if (!csg_folder_make(folder))
         return fail(run, "a temporary folder", errno);
-    run->output = csg_folder_file(folder, "scene.csg");
+    run->output = csg_folder_file(folder, CSG_DIGITS_STILL);
     return run->output || csg_log_memory(run->log);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers: read as strtod does, and how far a written one may have been rounded. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,6 +84,27 @@ static int check_values(void)
     return num_failed;
 }
 
+/* Of 17 and 19 digits, and nearly or exactly halfway between two doubles. */
+static int check_many(void)
+{
+    uint64_t state = 88172645463325252u;
+    int num_failed = 0;
+    for (int i = 0; i < 300000; i++) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        const double value = ldexp((double)(state >> 11), -(int)(state % 90));
+        const uint64_t whole = state >> 12 | UINT64_C(1) << 52;
+        char text[64];
+        if (i % 3 == 0)
+            snprintf(text, sizeof text, "%.17g", value);
+        else if (i % 3 == 1)
+            snprintf(text, sizeof text, "%llue%d", (unsigned long long)state, (int)(i % 59) - 29);
+        else
+            snprintf(text, sizeof text, "%llu.5", (unsigned long long)whole);
+        num_failed += !check_value(text);
+    }
+    return num_failed;
+}
+
 static int check_roundings(void)
 {
     int num_failed = 0;
@@ -116,7 +138,7 @@ static int check_malformed(void)
 
 int main(void)
 {
-    const int num_failed = check_values() + check_roundings() + check_malformed();
+    const int num_failed = check_values() + check_many() + check_roundings() + check_malformed();
     printf("%d checks failed\n", num_failed);
     return num_failed > 0;
 }
