@@ -92,10 +92,29 @@ static bool assign_all(struct csg_carrier_builder *builder)
     return true;
 }
 
+/* Whether each object is one leaf, and all of a quadric that can be seen is the leaf it came from. */
+static bool are_boxes_of_leaves(const struct csgcast_scene *scene,
+                                const struct csg_carriers *carriers)
+{
+    for (size_t i = 0; i < scene->objects->num; i++) {
+        const struct csg_object *object = &scene->objects->data[i];
+        const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
+        if (object->end != object->begin + 1 || node->op != CSG_LEAF || node->spare)
+            return false;
+        const uint32_t carrier = carriers->quadric_faces[node->leaf].carrier;
+        if (carrier != CSG_NO_CARRIER && carriers->quadric_leaves[carrier] != node->leaf)
+            return false;
+    }
+    return true;
+}
+
 /* Its leaves, as far as the objects reach that they are in. */
 bool csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers)
 {
     const size_t num = carriers->num_quadrics;
+    carriers->quadric_boxes = NULL;
+    if (are_boxes_of_leaves(scene, carriers))
+        return true;
     carriers->quadric_boxes = malloc((num + 1) * sizeof *carriers->quadric_boxes);
     if (!carriers->quadric_boxes)
         return false;

@@ -25,7 +25,7 @@ struct csg_carriers {
     struct csg_plane *planes;
     size_t num_planes, num_quadrics;
     size_t planes_capacity;
-    struct csg_box *quadric_boxes; /* of what can be seen of them, world space */
+    struct csg_box *quadric_boxes; /* see csg_carrier_quadric_box; NULL: those of the leaves */
     uint32_t *quadric_leaves;      /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity;
     size_t num_unused_planes, num_unused_quadrics; /* an edit has left them without faces */
@@ -58,6 +58,15 @@ static inline const struct csg_quadric *csg_carrier_quadric(const struct csgcast
                                                             uint32_t carrier)
 {
     return &scene->leaves[carriers->quadric_leaves[carrier]].shape.quadric;
+}
+
+/* The box of what can be seen of it, world space. */
+static inline const struct csg_box *csg_carrier_quadric_box(const struct csgcast_scene *scene,
+                                                            const struct csg_carriers *carriers,
+                                                            uint32_t carrier)
+{
+    return carriers->quadric_boxes ? &carriers->quadric_boxes[carrier]
+                                   : &scene->leaves[carriers->quadric_leaves[carrier]].box;
 }
 
 /*

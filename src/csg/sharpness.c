@@ -85,7 +85,8 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
         csg_sharpness_note(sharp, CSG_FINE_CURVATURE, csg_wall_curvature(shape), leaf);
         return;
     }
-    const struct csg_box *box = &scene->carriers->quadric_boxes[face.carrier];
+    const struct csg_box *box =
+        csg_carrier_quadric_box(scene, scene->carriers, face.carrier);
     const double size = csg_box_is_finite(box) ? csg_length(csg_sub(box->hi, box->lo)) : INFINITY;
     csg_sharpness_note(sharp, CSG_FINE_CURVATURE,
                        csg_curvature(csg_carrier_quadric(scene, scene->carriers, face.carrier), size),
@@ -287,10 +288,12 @@ static bool is_same_box(const struct csg_box *a, const struct csg_box *b)
 static bool is_kept(const struct csgcast_scene *scene, const struct csgcast_scene *old,
                     uint32_t leaf)
 {
-    const uint32_t quadric = scene->carriers->quadric_faces[leaf].carrier;
-    return !scene->carriers->renewed[leaf] &&
-           (quadric == CSG_NO_CARRIER || is_same_box(&scene->carriers->quadric_boxes[quadric],
-                                                     &old->carriers->quadric_boxes[quadric]));
+    const struct csg_carriers *now = scene->carriers, *before = old->carriers;
+    const uint32_t quadric = now->quadric_faces[leaf].carrier;
+    if (now->renewed[leaf] || quadric == CSG_NO_CARRIER)
+        return !now->renewed[leaf];
+    return is_same_box(csg_carrier_quadric_box(scene, now, quadric),
+                       csg_carrier_quadric_box(old, before, quadric));
 }
 
 static bool is_same_object(const struct csgcast_scene *scene, const struct csg_object *object,

@@ -109,7 +109,7 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
 {
     const struct csg_carriers *carriers = scene->carriers;
     const struct csg_face face = carriers->quadric_faces[leaf];
-    const struct csg_box *box = &carriers->quadric_boxes[face.carrier];
+    const struct csg_box *box = csg_carrier_quadric_box(scene, carriers, face.carrier);
     struct csg_vec3 center = {0, 0, 0};
     double radius = INFINITY;
     if (csg_box_is_finite(box)) {
@@ -143,7 +143,8 @@ static void note_stiff(const struct csg_terms *terms, const struct csg_rect *rec
     notes->stiff = true;
     if (terms->precise)
         return;
-    csg_depth_range(screen, &terms->scene->carriers->quadric_boxes[carrier], depth);
+    csg_depth_range(
+        screen, csg_carrier_quadric_box(terms->scene, terms->scene->carriers, carrier), depth);
     const double error = csg_quadric_error(screen, terms->frame->at, rect, depth, texels);
     if (error <= notes->error)
         return;

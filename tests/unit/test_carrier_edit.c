@@ -102,15 +102,16 @@ static bool is_same(const struct csg_carriers *a, const struct csg_face *x,
            x->flipped == y->flipped;
 }
 
-static bool is_same_quadric(const struct csg_carriers *a, const struct csg_face *x,
-                            const struct csg_carriers *b, const struct csg_face *y)
+static bool is_same_quadric(const struct csgcast_scene *scene, const struct csg_carriers *a,
+                            const struct csg_face *x, const struct csg_carriers *b,
+                            const struct csg_face *y)
 {
     if (x->carrier == CSG_NO_CARRIER || y->carrier == CSG_NO_CARRIER)
         return x->carrier == y->carrier;
     return a->quadric_leaves[x->carrier] == b->quadric_leaves[y->carrier] &&
            x->flipped == y->flipped &&
-           memcmp(&a->quadric_boxes[x->carrier], &b->quadric_boxes[y->carrier],
-                  sizeof *a->quadric_boxes) == 0;
+           memcmp(csg_carrier_quadric_box(scene, a, x->carrier),
+                  csg_carrier_quadric_box(scene, b, y->carrier), sizeof(struct csg_box)) == 0;
 }
 
 /* Whose faces mean something. */
@@ -142,7 +143,7 @@ static void compare(const struct csgcast_scene *scene, int edit)
         for (uint32_t i = a->face_begin[leaf]; i < a->face_begin[leaf + 1]; i++)
             CHECK(is_same(a, &a->faces[i], b, &b->faces[i]), "edit %d: leaf %u face %u", edit,
                   (unsigned)leaf, (unsigned)(i - a->face_begin[leaf]));
-        CHECK(is_same_quadric(a, &a->quadric_faces[leaf], b, &b->quadric_faces[leaf]),
+        CHECK(is_same_quadric(scene, a, &a->quadric_faces[leaf], b, &b->quadric_faces[leaf]),
               "edit %d: quadric of leaf %u", edit, (unsigned)leaf);
         CHECK(a->sheets[leaf] == b->sheets[leaf], "edit %d: leaf %u", edit, (unsigned)leaf);
     }
