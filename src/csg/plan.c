@@ -3,6 +3,22 @@
 
 #include <stdlib.h>
 
+static void find_singles(struct csg_plan *plan, const struct csgcast_scene *scene)
+{
+    bool seen[2][CSG_PLAN_MAX_PLANES + 1] = {{false}};
+    for (uint32_t i = 0; i < scene->objects->num; i++) {
+        if (plan->begin[i + 1] != plan->begin[i] + 1)
+            continue;
+        const struct csg_shape *shape =
+            &scene->leaves[plan->program.data[plan->begin[i]].leaf].shape;
+        if (shape->surface || shape->num_planes > CSG_PLAN_MAX_PLANES ||
+            seen[shape->has_quadric][shape->num_planes])
+            continue;
+        seen[shape->has_quadric][shape->num_planes] = true;
+        plan->singles[plan->num_singles++] = i;
+    }
+}
+
 static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
 {
     const struct csg_objects *objects = scene->objects;
@@ -17,6 +33,7 @@ static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
             return false;
     }
     plan->begin[objects->num] = (uint32_t)plan->program.num;
+    find_singles(plan, scene);
     return true;
 }
 

@@ -28,10 +28,16 @@ uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node
 bool csg_program_append(struct csg_program *program, const struct csgcast_scene *scene,
                         const struct csg_tree *tree, uint32_t begin);
 
+/* Of the objects that are one solid, none a surface, those of at most so many planes. */
+enum { CSG_PLAN_MAX_PLANES = 6 };
+
 /* The steps of all objects of a scene. */
 struct csg_plan {
     struct csg_program program;
     uint32_t *begin; /* per object: its first step; one more at the end */
+    /* Of these the first ones with a quadric or without and each number of planes. */
+    uint32_t singles[2 * (CSG_PLAN_MAX_PLANES + 1)];
+    size_t num_singles;
 };
 
 /* NULL: out of memory. */

@@ -2,6 +2,8 @@
 
 /* Programs that no draw of the frame needs, but the next edit may, in scenes that are edited. */
 
+#include <assert.h>
+
 #include "crowd/crowd.h"
 #include "render/chooser_parts.h"
 
@@ -50,6 +52,8 @@ bool csg_chooser_prepare_whole(struct csg_chooser *chooser, const struct csg_dra
                                  csg_structure_features(&structure) | csg_view_features(draw)));
 }
 
+static_assert(CSG_PLAN_MAX_PLANES == CSG_CROWD_MAX_PLANES, "members have programs of their own");
+
 /* The programs of instances and of owned pixels. */
 static bool prepare_run(struct csg_chooser *chooser, struct csg_crowd_run run)
 {
@@ -61,17 +65,10 @@ static bool prepare_run(struct csg_chooser *chooser, struct csg_crowd_run run)
 }
 
 /* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
-static bool prepare_single(struct csg_chooser *chooser, uint32_t object,
-                           bool seen[2][CSG_CROWD_MAX_PLANES + 1])
+static bool prepare_single(struct csg_chooser *chooser, uint32_t object)
 {
     const struct csg_structure structure = csg_chooser_structure(chooser->request, object);
-    if (structure.num != 1)
-        return true;
     const struct csg_shape *shape = &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
-    if (shape->num_planes > CSG_CROWD_MAX_PLANES || shape->surface ||
-        seen[shape->has_quadric][shape->num_planes])
-        return true;
-    seen[shape->has_quadric][shape->num_planes] = true;
     const struct csg_crowd_run run = {.has_quadric = shape->has_quadric,
                                       .num_planes = (uint32_t)shape->num_planes};
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
@@ -84,11 +81,11 @@ static bool prepare_single(struct csg_chooser *chooser, uint32_t object,
 bool csg_chooser_prepare(struct csg_chooser *chooser)
 {
     const struct csg_request *request = chooser->request;
-    bool seen[2][CSG_CROWD_MAX_PLANES + 1] = {{false}};
+    const struct csg_plan *plan = request->scene->plan;
     bool ok = true;
     if (!request->scene->keeps_structure || request->textbook || request->resolver >= 0)
         return true;
-    for (uint32_t i = 0; i < request->scene->objects->num && ok; i++)
-        ok = prepare_single(chooser, i, seen);
+    for (size_t i = 0; i < plan->num_singles && ok; i++)
+        ok = prepare_single(chooser, plan->singles[i]);
     return ok;
 }

@@ -158,7 +158,9 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     picture.want_leaf = request->image->id != NULL;
     picture.batches.direct = csg_draws_directly(renderer, request);
     const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
-                    prepare_shading(&picture) && csg_upload_frame(renderer) && draw_bands(&picture);
+                    prepare_shading(&picture) &&
+                    csg_upload_frame(renderer, request->scene->keeps_structure) &&
+                    draw_bands(&picture);
     csg_picture_count(&picture);
     free(picture.batches.data);
     return ok;
@@ -175,7 +177,7 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
         return;
     picture.shade =
         csg_programs_get(&renderer->programs, csg_source_shade(false, true, CSG_FEATURE_SHARED));
-    if (picture.shade && csg_upload_frame(renderer) &&
+    if (picture.shade && csg_upload_frame(renderer, false) &&
         csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, &use)) {
         csg_passes_draw_nothing(&picture);
         renderer->gl->Finish();

@@ -60,11 +60,11 @@ static void finish_gl(struct csgcast_renderer *renderer)
         csg_targets_finish(&renderer->targets, gl);
         csg_cells_drop(renderer);
         gl->DeleteTextures(1, &renderer->data_texture);
-        gl->DeleteBuffers(1, &renderer->data_buffer.id);
+        csg_buffer_finish(gl, &renderer->data_buffer);
         gl->DeleteTextures(1, &renderer->owners_texture);
-        gl->DeleteBuffers(1, &renderer->owners_buffer.id);
-        gl->DeleteBuffers(1, &renderer->instance_buffer.id);
-        gl->DeleteBuffers(1, &renderer->crowd_buffer.id);
+        csg_buffer_finish(gl, &renderer->owners_buffer);
+        csg_buffer_finish(gl, &renderer->instance_buffer);
+        csg_buffer_finish(gl, &renderer->crowd_buffer);
         gl->DeleteVertexArrays(1, &renderer->crowd_array);
         gl->DeleteVertexArrays(1, &renderer->vertex_array);
         gl->DeleteVertexArrays(1, &renderer->empty_array);

@@ -3,6 +3,7 @@
 #define CSG_RENDER_RENDERER_H
 
 #include "pack/frame.h"
+#include "render/buffer.h"
 #include "render/programs.h"
 #include "render/targets.h"
 
@@ -10,12 +11,6 @@ struct csg_start;
 
 /* Texture units: 0 the frame's texels, 1 what the geometry pass has found, */
 enum { CSG_CELLS_UNIT = 2, CSG_OWNERS_UNIT };
-
-/* One of the driver's, and its size. */
-struct csg_buffer {
-    GLuint id;
-    size_t bytes;
-};
 
 /* The cells that the GPU has. */
 struct csg_resident_cells {
@@ -100,8 +95,9 @@ void csg_numerics_describe(const struct csgcast_renderer *renderer,
 bool csg_cells_upload(struct csgcast_renderer *renderer, size_t *uploaded);
 void csg_cells_drop(struct csgcast_renderer *renderer);
 
-/* Hands the frame's texels and instances to the driver. false, with a message, on failure. */
-bool csg_upload_frame(struct csgcast_renderer *renderer);
+/* Hands the frame's texels and instances to the driver. keeps: as in csg_buffer_fill. false, with a
+ * message, on failure. */
+bool csg_upload_frame(struct csgcast_renderer *renderer, bool keeps);
 
 /* Casts the pixels of the band at first_row (from the bottom) that visible marks as
  * CSG_UNFINISHED on the CPU. visible: two words a pixel; NULL where colours were drawn directly, of

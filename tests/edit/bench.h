@@ -47,6 +47,7 @@ void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool edita
 void check_programs(struct bench *bench, uint64_t seed, int max_leaves);
 void check_series(struct bench *bench, uint64_t seed);
 void check_many(struct bench *bench, uint64_t seed);
+void check_upload(struct bench *bench);
 void check_batch(struct bench *bench);
 void check_growth(struct bench *bench); /* before all others: no program is there */
 void check_cases(struct bench *bench);

@@ -85,3 +85,31 @@ void check_many(struct bench *bench, uint64_t seed)
     bench_forced = NULL;
     csgcast_scene_destroy(scene);
 }
+
+/* Of the frame after an edit only rows of 4 kB that have changed go to the driver; textures of
+ * scenes that are edited are copied for that. */
+void check_upload(struct bench *bench)
+{
+    static struct model model;
+    const float red[4] = {1, 0, 0, 1};
+    const struct csgcast_camera camera = {
+        .kind = CSGCAST_CAMERA_GIMBAL, .translate = {15, 15, 15}, .distance = 120};
+    struct csgcast_stats stats;
+    model_init_many(&model, 7, NUM_OBJECTS);
+    for (int i = 0; i < model.num_leaves; i++)
+        model.leaves[i].color[0] = -1;
+    model_print(&model, bench->text);
+    struct csgcast_scene *scene = bench_parse(bench->text, true);
+    for (int i = 0; i < 2; i++) {
+        bench_draw(bench->edited, scene, &camera, &bench->got);
+        CHECK(csgcast_scene_set_color(scene, 17, red), "%s", bench_last_message);
+    }
+    bench_draw(bench->edited, scene, &camera, &bench->got);
+    csgcast_renderer_get_stats(bench->edited, &stats);
+    CHECK(4 * stats.bytes_uploaded <= stats.texture_bytes, "a colour: %zu bytes of %zu",
+          stats.bytes_uploaded, stats.texture_bytes);
+    bench_draw(bench->edited, scene, &camera, &bench->got);
+    csgcast_renderer_get_stats(bench->edited, &stats);
+    CHECK(stats.bytes_uploaded == 0, "nothing: %zu bytes", stats.bytes_uploaded);
+    csgcast_scene_destroy(scene);
+}
