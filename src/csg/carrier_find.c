@@ -7,7 +7,7 @@
 #include "solids/sample.h"
 
 /* Points of a quadric's surface that decide whether it lies on another one; nine fix a quadric. */
-#define CSG_NUM_SAMPLES 24
+enum { NUM_SAMPLES = 24, LEAST_SAMPLES = 9 };
 
 struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *builder, uint32_t leaf)
 {
@@ -121,15 +121,39 @@ static bool is_flipped(const struct csg_quadric *a, const struct csg_quadric *b,
     return csg_dot(csg_quadric_gradient(a, at), csg_quadric_gradient(b, at)) < 0;
 }
 
-static bool same_surface(const struct csg_quadric *carrier, const struct csg_vec3 *points,
-                         size_t num_points, double tolerance_length)
+static bool is_on(const struct csg_quadric *carrier, struct csg_vec3 point, double tolerance_length)
 {
-    for (size_t i = 0; i < num_points; i++) {
-        const double slope = csg_length(csg_quadric_gradient(carrier, points[i]));
-        if (!(fabs(csg_quadric_value(carrier, points[i])) <= tolerance_length * slope))
+    const double slope = csg_length(csg_quadric_gradient(carrier, point));
+    return fabs(csg_quadric_value(carrier, point)) <= tolerance_length * slope;
+}
+
+/* Points of a leaf's quadric. Nearly all carriers that are asked for are told apart by the first
+ * one, so that the others are found only when they are needed. */
+struct samples {
+    struct csg_vec3 points[NUM_SAMPLES];
+    size_t num;
+    bool are_all;
+};
+
+static void sample(struct samples *samples, const struct csg_shape *shape, size_t num)
+{
+    samples->num = csg_shape_sample(shape, samples->points, num);
+    samples->are_all = num == NUM_SAMPLES;
+}
+
+static bool same_surface(const struct csg_quadric *carrier, const struct csg_shape *shape,
+                         struct samples *samples, double tolerance_length)
+{
+    if (!samples->num && !samples->are_all)
+        sample(samples, shape, 1);
+    if (samples->num && !is_on(carrier, samples->points[0], tolerance_length))
+        return false;
+    if (!samples->are_all)
+        sample(samples, shape, NUM_SAMPLES);
+    for (size_t i = 0; i < samples->num; i++)
+        if (!is_on(carrier, samples->points[i], tolerance_length))
             return false;
-    }
-    return num_points >= 9;
+    return samples->num >= LEAST_SAMPLES;
 }
 
 bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_t leaf,
@@ -137,8 +161,9 @@ bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_
                               struct csg_face *face)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    struct csg_vec3 points[CSG_NUM_SAMPLES];
-    size_t num_points = 0;
+    struct samples samples;
+    samples.num = 0;
+    samples.are_all = false;
     struct csg_index_probe probe;
     face->carrier = CSG_NO_CARRIER;
     csg_index_probe_quadric(&builder->index, &shape->quadric, &probe);
@@ -148,12 +173,10 @@ bool csg_carrier_find_quadric(const struct csg_carrier_builder *builder, uint32_
         if (!is_asked_for(builder, CSG_QUADRIC, i, rank, face->carrier) ||
             !same_class(&shape->quadric, carrier))
             continue;
-        if (!num_points)
-            num_points = csg_shape_sample(shape, points, CSG_NUM_SAMPLES);
         const double rounding = builder->lists[CSG_QUADRIC].rounding.data[i];
-        if (same_surface(carrier, points, num_points, csg_carrier_tolerance(extent, rounding)))
+        if (same_surface(carrier, shape, &samples, csg_carrier_tolerance(extent, rounding)))
             *face = (struct csg_face){
-                .carrier = i, .flipped = is_flipped(&shape->quadric, carrier, points[0])};
+                .carrier = i, .flipped = is_flipped(&shape->quadric, carrier, samples.points[0])};
     }
     return face->carrier != CSG_NO_CARRIER;
 }
