@@ -52,7 +52,7 @@ struct framing {
 
 struct csg_box csg_written_box(const struct csg_leaf *leaf)
 {
-    return csg_box_map(&leaf->shape.frame, &leaf->shape.written);
+    return leaf->is_hole ? csg_box_empty : csg_box_map(&leaf->shape.frame, &leaf->shape.written);
 }
 
 static int compare_wholes(const void *key, const void *item)
