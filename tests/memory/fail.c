@@ -17,6 +17,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { max_ranges = 16 };
 
@@ -75,6 +76,16 @@ __attribute__((destructor)) static void finish(void)
         return;
     fprintf(file, "%ld\n", atomic_load(&count));
     fclose(file);
+}
+
+/* `render` ends so, without destructors. */
+_Noreturn void _exit(int status)
+{
+    void (*next_exit)(int status);
+    finish();
+    find("_exit", &next_exit, sizeof next_exit);
+    next_exit(status);
+    abort();
 }
 
 static bool fails(const void *caller)
