@@ -171,6 +171,8 @@ static void check_section(struct bench *bench)
     char text[8192];
     print_section(text, sizeof text, 7);
     struct csgcast_scene *scene = bench_parse(text, true);
+    bench_draw(bench->edited, scene, NULL, &bench->got);
+    const size_t programs = bench_num_programs(bench->edited);
     for (double at = -5; at < 20; at += 2.5) {
         const double matrix[16] = {1, 0, 0, at, 0, 1, 0, -9, 0, 0, 1, -9, 0, 0, 0, 1};
         print_section(text, sizeof text, at);
@@ -182,6 +184,7 @@ static void check_section(struct bench *bench)
         bench_compare_info(scene, fresh, "section");
         csgcast_scene_destroy(fresh);
     }
+    CHECK(bench_num_programs(bench->edited) == programs, "a section compiled a program");
     csgcast_scene_destroy(scene);
 }
 
