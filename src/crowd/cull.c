@@ -167,15 +167,19 @@ static bool are_all_in_float(const struct csg_cull *cull)
 const float *csg_cull_terms(struct csg_cull *cull, uint32_t class, uint32_t member)
 {
     const struct csg_crowd_class *of = &cull->view.crowd->classes[class];
-    float *terms =
-        cull->terms + cull->terms_at[class] + (member - of->begin) * csg_member_num_terms(of);
-    if (cull->state[member] == CSG_TERMS_UNKNOWN)
-        cull->state[member] = csg_member_terms(&cull->view, of, member, terms) ? CSG_TERMS_KNOWN
-                                                                               : CSG_TERMS_STIFF;
-    return cull->state[member] == CSG_TERMS_KNOWN ? terms : NULL;
+    const size_t size = csg_member_num_terms(of);
+    float *terms = cull->terms + cull->terms_at[class];
+    uint32_t *place = &cull->places[member];
+    if (*place == CSG_TERMS_UNKNOWN) {
+        const uint32_t at =
+            atomic_fetch_add_explicit(&cull->num_terms[class], 1, memory_order_relaxed);
+        const bool known = csg_member_terms(&cull->view, of, member, terms + at * size);
+        *place = known ? CSG_TERMS_FIRST + at : CSG_TERMS_STIFF;
+    }
+    return *place >= CSG_TERMS_FIRST ? terms + (*place - CSG_TERMS_FIRST) * size : NULL;
 }
 
-/* Pages that no member's terms are written to cost nothing. */
+/* Room for the terms of all members: pages that none are written to cost nothing. */
 static bool allocate(struct csg_cull *cull)
 {
     const struct csg_crowd *crowd = cull->view.crowd;
@@ -183,13 +187,14 @@ static bool allocate(struct csg_cull *cull)
     for (size_t i = 0; i < crowd->num_classes; i++) {
         const struct csg_crowd_class *class = &crowd->classes[i];
         cull->terms_at[i] = num_terms;
+        atomic_init(&cull->num_terms[i], 0);
         num_terms += (class->end - class->begin) * csg_member_num_terms(class);
     }
     cull->candidates = malloc((crowd->num + 1) * sizeof *cull->candidates);
     cull->demoted = malloc(crowd->num + 1);
-    cull->state = calloc(crowd->num + 1, 1);
+    cull->places = calloc(crowd->num + 1, sizeof *cull->places);
     cull->terms = malloc((num_terms + 1) * sizeof *cull->terms);
-    return cull->candidates && cull->demoted && cull->state && cull->terms;
+    return cull->candidates && cull->demoted && cull->places && cull->terms;
 }
 
 bool csg_cull_run(struct csg_cull *cull)
@@ -213,7 +218,7 @@ void csg_cull_finish(struct csg_cull *cull)
     free(cull->blocks.data);
     free(cull->candidates);
     free(cull->demoted);
-    free(cull->state);
+    free(cull->places);
     free(cull->terms);
     csg_relief_finish(&cull->relief);
     csg_owners_finish(&cull->owners);

@@ -35,8 +35,9 @@ struct csg_crowd_block {
     float lo_key, hi_key; /* of theirs; infinite where there are none */
 };
 
-/* Whether the terms of a member are in csg_cull.terms. */
-enum csg_terms_state { CSG_TERMS_UNKNOWN, CSG_TERMS_KNOWN, CSG_TERMS_STIFF };
+/* Where the terms of a member are in csg_cull.terms: from CSG_TERMS_FIRST on, which is the place of
+ * those of its class that were found first. */
+enum { CSG_TERMS_UNKNOWN, CSG_TERMS_STIFF, CSG_TERMS_FIRST };
 
 struct csg_cull {
     struct csg_crowd_view view;
@@ -52,9 +53,10 @@ struct csg_cull {
     bool together;            /* so many translucent members that only their nearest sides show */
     atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell; with
                            owners: some pixel that it cannot own */
-    float *terms;   /* of csg_member_terms, of the members that had to be cast */
-    uint8_t *state; /* per member: enum csg_terms_state */
-    size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* of a class's first member */
+    float *terms; /* of csg_member_terms, of the members that had to be cast */
+    uint32_t *places; /* of theirs, per member */
+    size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* a class's */
+    atomic_uint num_terms[CSG_CROWD_MAX_CLASSES]; /* members of a class that have a place */
 };
 
 /* A member's terms, found if they are not known yet: only one thread may ask for a member at a
