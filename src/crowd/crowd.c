@@ -25,12 +25,20 @@ struct builder {
     uint32_t *parents; /* per object: union-find over shared carriers */
 };
 
+/* The only solid of an object. Spare ones count as nothing: what is left is that solid, as it would
+ * be nothing where they mattered. */
 static const struct csg_node *single_node(const struct csgcast_scene *scene,
                                           const struct csg_object *object)
 {
-    const struct csg_node *node = &scene->trees[object->layer].data[object->begin];
-    const bool single = object->end == object->begin + 1 && node->op == CSG_LEAF;
-    return single && !node->negated && !node->spare ? node : NULL;
+    const struct csg_node *nodes = scene->trees[object->layer].data, *single = NULL;
+    for (uint32_t i = object->begin; i < object->end; i++) {
+        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
+            continue;
+        if (single || nodes[i].negated)
+            return NULL;
+        single = &nodes[i];
+    }
+    return single;
 }
 
 static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf,
@@ -287,7 +295,7 @@ static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[N
         const size_t at = next[key]++;
         const struct csg_object *object = &scene->objects->data[i];
         crowd->object[at] = i;
-        crowd->leaf[at] = scene->trees[object->layer].data[object->begin].leaf;
+        crowd->leaf[at] = single_node(scene, object)->leaf;
         const uint32_t root = root_of(builder->parents, i);
         crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
         crowd->need[at] = builder->needs[i];

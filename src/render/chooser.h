@@ -27,6 +27,9 @@ void csg_chooser_destroy(struct csg_chooser *chooser);
  */
 bool csg_chooser_prepare(struct csg_chooser *chooser);
 
+/* The same for objects in a crowd, after the frame's draws have their programs. */
+bool csg_chooser_prepare_spared(struct csg_chooser *chooser);
+
 /* false, with a message: a program does not compile. */
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,
                         struct csg_choice *choice);

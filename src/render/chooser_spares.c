@@ -64,28 +64,51 @@ static bool prepare_run(struct csg_chooser *chooser, struct csg_crowd_run run)
                   csg_programs_get(programs, csg_source_single(&run, chooser->direct)));
 }
 
-/* Both programs of an object that is one solid: an edit may take it into the crowd or out of it. */
-static bool prepare_single(struct csg_chooser *chooser, uint32_t object)
+/* A solid that may be all that an edit leaves of an object. */
+static bool prepare_left(struct csg_chooser *chooser, uint32_t leaf)
 {
-    const struct csg_structure structure = csg_chooser_structure(chooser->request, object);
-    const struct csg_shape *shape = &chooser->request->scene->leaves[structure.steps[0].leaf].shape;
+    const struct csg_shape *shape = &chooser->request->scene->leaves[leaf].shape;
     const struct csg_crowd_run run = {.has_quadric = shape->has_quadric,
                                       .num_planes = (uint32_t)shape->num_planes};
     struct csg_crowd_run ball = run; /* where there is no plane, it may be a sphere or none */
     ball.ball = run.has_quadric && run.num_planes == 0;
-    return prepare_run(chooser, run) && prepare_run(chooser, ball) &&
-           (!csg_chooser_has_room(chooser, &structure, false) ||
-            csg_chooser_straight(chooser, &structure, false, csg_structure_features(&structure)));
+    return prepare_run(chooser, run) && prepare_run(chooser, ball);
+}
+
+/* An object that may be drawn by itself where it is in a crowd now. */
+static bool prepare_object(struct csg_chooser *chooser, uint32_t object)
+{
+    const struct csg_structure structure = csg_chooser_structure(chooser->request, object);
+    const int features = csg_structure_features(&structure);
+    enum csg_resolver resolver;
+    if (csg_structure_is_small(&structure) && csg_chooser_has_room(chooser, &structure, false))
+        return csg_chooser_straight(chooser, &structure, false, features) != 0;
+    return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, features, &resolver) != 0;
+}
+
+static bool may_change(const struct csg_request *request)
+{
+    return request->scene->keeps_structure && !request->textbook && request->resolver < 0;
 }
 
 bool csg_chooser_prepare(struct csg_chooser *chooser)
 {
-    const struct csg_request *request = chooser->request;
-    const struct csg_plan *plan = request->scene->plan;
+    const struct csg_plan *plan = chooser->request->scene->plan;
     bool ok = true;
-    if (!request->scene->keeps_structure || request->textbook || request->resolver >= 0)
+    if (!may_change(chooser->request))
         return true;
+    for (size_t i = 0; i < plan->num_lefts && ok; i++)
+        ok = prepare_left(chooser, plan->lefts[i]);
     for (size_t i = 0; i < plan->num_singles && ok; i++)
-        ok = prepare_single(chooser, plan->singles[i]);
+        ok = prepare_object(chooser, plan->singles[i]);
+    return ok;
+}
+
+bool csg_chooser_prepare_spared(struct csg_chooser *chooser)
+{
+    const struct csg_plan *plan = chooser->request->scene->plan;
+    bool ok = true;
+    for (size_t i = 0; i < plan->num_spared && may_change(chooser->request) && ok; i++)
+        ok = chooser->request->shared || prepare_object(chooser, plan->spared[i]);
     return ok;
 }
