@@ -147,7 +147,7 @@ static bool follow_boxes(struct csg_carrier_change *change)
     const struct csg_carriers *old = before->scene->carriers;
     struct csg_carriers *carriers = change->carriers;
     const size_t num = carriers->num_quadrics + 1;
-    bool alone = before->objects && are_alone(change);
+    bool alone = old->quadric_boxes && before->objects && are_alone(change);
     carriers->quadric_boxes = alone ? malloc(num * sizeof *carriers->quadric_boxes) : NULL;
     if (!carriers->quadric_boxes)
         return csg_carriers_fill_boxes(change->scene, carriers);

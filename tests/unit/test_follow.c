@@ -47,8 +47,20 @@ static void check_ways(void)
     csgcast_scene_destroy(scene);
 }
 
+/* Of objects that are one leaf each, quadrics have no boxes of their own. */
+static void check_leaves(void)
+{
+    struct csgcast_scene *scene =
+        parse("sphere(1);\ntranslate([5, 0, 0]) sphere(1);\ntranslate([9, 0, 0]) cube(3);");
+    const double near[16] = {1, 0, 0, 5, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .matrix = near}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 2, .parameters = "2"}, true);
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     check_ways();
+    check_leaves();
     return num_failed != 0;
 }
