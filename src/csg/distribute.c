@@ -81,7 +81,7 @@ static bool is_opaque(const struct distributor *at)
     for (uint32_t i = at->object->begin; i < at->object->end; i++)
         if (nodes[i].op == CSG_LEAF) {
             const float *color = at->scene->leaves[nodes[i].leaf].color;
-            if (color[0] >= 0 && color[3] < 1)
+            if (color[3] < 1)
                 return false;
         }
     return true;

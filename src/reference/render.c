@@ -77,8 +77,6 @@ static void overlay(const struct job *job, uint8_t layer, const struct csg_ray *
     float color[4];
     if (!csg_reference_trace(job->scene, layer, ray, scratch, &hit, failed))
         return;
-    if (hit.t > t && layer == CSG_LAYER_BACKGROUND)
-        return;
     if (hit.t > t * (1 + 1e-6))
         return;
     shade(job, &hit, color);

@@ -51,7 +51,7 @@ void csg_inputs_set(const struct csg_picture *picture, GLuint program)
         set_textbook_rays(picture, program);
 }
 
-void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool highlight)
+void csg_inputs_use(const struct csg_picture *picture, GLuint program, uint8_t paint)
 {
     struct csg_programs *programs = &picture->renderer->programs;
     struct csg_compiled *compiled = csg_programs_find(programs, program);
@@ -61,7 +61,7 @@ void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool high
     }
     compiled->round = programs->round;
     csg_inputs_set(picture, program);
-    picture->gl->Uniform1f(compiled->uniforms.depth_bias, highlight ? OVERLAY_DEPTH_BIAS : 0);
+    picture->gl->Uniform1f(compiled->uniforms.depth_bias, paint * OVERLAY_DEPTH_BIAS);
 }
 
 /* Points are vertices of their own, as drivers take these by the vector, but instances one by one.

@@ -9,9 +9,9 @@
 /* Uses the program, with the screen, the light and the textures of the picture. */
 void csg_inputs_set(const struct csg_picture *picture, GLuint program);
 
-/* The same for a geometry program, once a round: many batches share one. highlight: it repeats
- * surfaces that are there already, and shall win. */
-void csg_inputs_use(const struct csg_picture *picture, GLuint program, bool highlight);
+/* The same for a geometry program, once a round: many batches share one. paint: the layer; where
+ * it repeats surfaces of those before it, it shall win. */
+void csg_inputs_use(const struct csg_picture *picture, GLuint program, uint8_t paint);
 
 void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch);
 

@@ -80,7 +80,7 @@ static void draw_batches(const struct csg_picture *picture, const struct round *
         if (!is_in_round(batch, round))
             continue;
         const GLuint program = round->rear ? batch->rear : batch->program;
-        csg_inputs_use(picture, program, round->paint == CSG_LAYER_HIGHLIGHT);
+        csg_inputs_use(picture, program, round->paint);
         draw_batch(picture, batch);
     }
 }

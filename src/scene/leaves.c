@@ -27,8 +27,9 @@ struct walk {
 void csg_leaf_set_color(struct csg_leaf *leaf, const float color[4])
 {
     memcpy(leaf->color, color, sizeof leaf->color);
-    if (!(leaf->color[0] >= 0 && leaf->color[1] >= 0 && leaf->color[2] >= 0))
-        leaf->color[0] = leaf->color[1] = leaf->color[2] = -1;
+    for (int i = 0; i < 3; i++)
+        if (!(leaf->color[i] >= 0))
+            leaf->color[i] = -1;
     if (!(leaf->color[3] >= 0))
         leaf->color[3] = 1;
 }

@@ -231,7 +231,7 @@ struct csgcast_leaf {
     /* From the solid's own space (docs/solids.md) to the world: the product of all matrices around
      * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
     double matrix[16];
-    float color[4]; /* r g b a as the outermost color() says; r < 0: none, the scheme's colour */
+    float color[4]; /* r g b a as the outermost color() says; below 0: the scheme's */
     /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Until the next edit or
      * the end of the scene; "" where the leaf is one of several. */
     const char *parameters;
@@ -256,7 +256,7 @@ struct csgcast_edit {
     /* All of the node's arguments as scene text: "r = 3, $fn = 40". What is not given takes its
      * default. Parameters that make nothing (r = 0) leave nothing of the leaf. */
     const char *parameters;
-    /* r g b a, finite; any of them negative: as where color() is not set. */
+    /* r g b a, finite. Below 0: the scheme's, or where all of them are, as without color(). */
     const float *color;
 };
 
