@@ -140,6 +140,22 @@ static bool are_alone(const struct csg_carrier_change *change)
     return num == before->num;
 }
 
+/* Whether quadrics needed no boxes, as all of each that can be seen is the leaf it came from, and
+ * still need none. */
+static bool need_no_boxes(const struct csg_carrier_change *change)
+{
+    const struct csg_before *before = change->before;
+    const struct csg_carriers *carriers = change->carriers;
+    if (before->scene->carriers->quadric_boxes || !before->objects || !are_alone(change))
+        return false;
+    for (size_t i = 0; i < before->num; i++) {
+        const uint32_t carrier = carriers->quadric_faces[before->leaves[i]].carrier;
+        if (carrier != CSG_NO_CARRIER && carriers->quadric_leaves[carrier] != before->leaves[i])
+            return false;
+    }
+    return true;
+}
+
 /* What csg_carriers_fill_boxes finds. */
 static bool follow_boxes(struct csg_carrier_change *change)
 {
@@ -147,6 +163,8 @@ static bool follow_boxes(struct csg_carrier_change *change)
     const struct csg_carriers *old = before->scene->carriers;
     struct csg_carriers *carriers = change->carriers;
     const size_t num = carriers->num_quadrics + 1;
+    if (need_no_boxes(change))
+        return true;
     bool alone = old->quadric_boxes && before->objects && are_alone(change);
     carriers->quadric_boxes = alone ? malloc(num * sizeof *carriers->quadric_boxes) : NULL;
     if (!carriers->quadric_boxes)
