@@ -49,8 +49,7 @@ static bool begin(struct gl *gl)
     find("glGetTexImage", &gl->get_tex_image, sizeof gl->get_tex_image);
     find("glGetIntegerv", &gl->get_integer, sizeof gl->get_integer);
     find("glGetError", &gl->get_error, sizeof gl->get_error);
-    return gl->context &&
-           eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context);
+    return gl->context && eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context);
 }
 
 /* A picture between two calls of the host's OpenGL: nothing of its state has changed. */

@@ -78,8 +78,7 @@ static enum csgcast_backend backend_of(const char *name)
 int main(int argc, char **argv)
 {
     struct worker workers[num_workers];
-    struct csgcast_scene *shared =
-        csgcast_scene_parse(shared_text, strlen(shared_text), NULL);
+    struct csgcast_scene *shared = csgcast_scene_parse(shared_text, strlen(shared_text), NULL);
     int num = 0;
     bool ok = shared != NULL;
     for (; num < num_workers && ok; num++) {

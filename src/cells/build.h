@@ -38,7 +38,7 @@ struct csg_cell_builder {
     size_t max_branches;
     CSG_ARRAY(struct csg_branch) branches; /* 0: the root */
     CSG_ARRAY(float) records;
-    struct csg_bunches bunches; /* ... in their place, where bunched */
+    struct csg_bunches bunches;      /* ... in their place, where bunched */
     CSG_ARRAY(struct csg_work) work; /* a heap, the costliest first */
     struct csg_splitter splitter;
     struct csg_program program;

@@ -33,10 +33,10 @@ struct csg_cells {
      * The children of a split, one more than it has places, follow one another.
      */
     CSG_ARRAY(float) texels;
-    uint64_t hash; /* of the texels */
-    size_t depth; /* of splits */
-    bool bunched; /* cells hold bunches, see cells/bunch.h, instead of records */
-    bool nested;  /* some cell's tree is no chain: its program needs a stack */
+    uint64_t hash;         /* of the texels */
+    size_t depth;          /* of splits */
+    bool bunched;          /* cells hold bunches, see cells/bunch.h, instead of records */
+    bool nested;           /* some cell's tree is no chain: its program needs a stack */
     struct csg_kept *kept; /* of a scene that is edited: what the next cells may have of these */
 };
 

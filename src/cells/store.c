@@ -14,15 +14,15 @@ struct entry {
     uint32_t object;
     struct csg_cells *cells;
     struct csg_kept *before; /* of the cells before an edit */
-    double answer, area; /* of csg_cells_remember */
-    int num_left;        /* frames for which that holds */
-    double spared;       /* tests, if they had been there */
+    double answer, area;     /* of csg_cells_remember */
+    int num_left;            /* frames for which that holds */
+    double spared;           /* tests, if they had been there */
     bool asked;
 };
 
 /* Most objects are never asked for. */
 struct csg_cells_store {
-    pthread_mutex_t mutex; /* several renderers may draw one scene */
+    pthread_mutex_t mutex;           /* several renderers may draw one scene */
     CSG_ARRAY(struct entry) entries; /* in the order of their objects */
     size_t num_objects;
 };
@@ -87,8 +87,7 @@ void csg_cells_store_inherit(struct csg_cells_store *store, struct csg_cells_sto
 {
     for (size_t i = 0; i < before->entries.num; i++) {
         struct entry *from = &before->entries.data[i];
-        struct entry *to =
-            from->object < store->num_objects ? entry_of(store, from->object) : NULL;
+        struct entry *to = from->object < store->num_objects ? entry_of(store, from->object) : NULL;
         if (!to)
             continue;
         struct csg_kept **kept = from->cells ? &from->cells->kept : &from->before;

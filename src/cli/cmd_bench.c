@@ -149,15 +149,13 @@ static void print_row(const char *input, const struct csg_measurement *result)
     printf("%-24s %8zu %9.1f %9.2f %9.2f %9.2f %9.2f %9.2f %4zu %9.1f %9.1f %8.1f\n",
            slash ? slash + 1 : input, result->num_leaves, result->first_image_ms,
            result->frame_ms.median, result->frame_ms.min, result->frame_ms.max,
-           result->medians.work, result->medians.cpu, result->stats.programs,
-           result->compile_ms, 1e-3 * (double)result->stats.bytes_uploaded,
-           1e-6 * (double)result->peak_rss);
+           result->medians.work, result->medians.cpu, result->stats.programs, result->compile_ms,
+           1e-3 * (double)result->stats.bytes_uploaded, 1e-6 * (double)result->peak_rss);
     fflush(stdout);
 }
 
 /* false: the scene cannot be measured, which was said. */
-static bool run_one(const struct csg_cli_options *options, const char *input,
-                    struct csg_json *json)
+static bool run_one(const struct csg_cli_options *options, const char *input, struct csg_json *json)
 {
     struct csg_measurement result;
     const bool good = measure_apart(options, input, &result);

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FRAME_SIZE 64 /* pixels: enough to choose the variants and to fill the texture */
+#define FRAME_SIZE 64        /* pixels: enough to choose the variants and to fill the texture */
 #define STATS_FRAME_SIZE 512 /* where its cost is asked for as well */
 
 /* Everything there is to tell about one scene. */

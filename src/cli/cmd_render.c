@@ -181,9 +181,8 @@ static char *frame_path(const char *output, int frame)
 {
     const char *slash = strrchr(output, '/'), *dot = strrchr(output, '.');
     const size_t length = strlen(output);
-    const size_t stem = dot && (!slash || dot > slash + 1) && dot > output
-                            ? (size_t)(dot - output)
-                            : length;
+    const size_t stem =
+        dot && (!slash || dot > slash + 1) && dot > output ? (size_t)(dot - output) : length;
     char *path = malloc(length + 12);
     if (path)
         snprintf(path, length + 12, "%.*s%05d%s", (int)stem, output, frame, output + stem);
@@ -212,8 +211,8 @@ static void tell_progress(const struct csg_cli_options *options, int frame)
                 frame == options->num_animated ? "\n" : "");
 }
 
-static enum csg_cli_exit render_animation(const struct csg_cli_options *options,
-                                          const char *output, struct csgcast_renderer *renderer)
+static enum csg_cli_exit render_animation(const struct csg_cli_options *options, const char *output,
+                                          struct csgcast_renderer *renderer)
 {
     struct csgcast_animation *animation =
         csgcast_animation_load(options->input, options->num_animated, &options->scene);

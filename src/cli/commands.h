@@ -34,7 +34,7 @@ struct csg_cli_command {
     const char *usage;   /* what follows "csgcast NAME" */
     const char *text;    /* help between usage and options */
     const char *tail;    /* help after the options: examples */
-    bool many; /* takes more than one scene */
+    bool many;           /* takes more than one scene */
     const char *exits;   /* the exit codes in the help; NULL: those of enum csg_cli_exit */
     enum csg_cli_exit (*run)(const struct csg_cli_options *options);
 };

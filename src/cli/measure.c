@@ -25,8 +25,7 @@ static int compare(const void *a, const void *b)
 static struct csg_spread spread_of(double *values, size_t num)
 {
     qsort(values, num, sizeof *values, compare);
-    const double median =
-        num % 2 ? values[num / 2] : 0.5 * (values[num / 2 - 1] + values[num / 2]);
+    const double median = num % 2 ? values[num / 2] : 0.5 * (values[num / 2 - 1] + values[num / 2]);
     return (struct csg_spread){median, values[0], values[num - 1]};
 }
 
@@ -184,13 +183,11 @@ static bool measure(struct run *run)
 bool csg_measure(const struct csg_cli_options *options, const char *input,
                  struct csg_measurement *result)
 {
-    struct run run = {
-        .options = options, .input = input, .view = options->view, .result = result};
+    struct run run = {.options = options, .input = input, .view = options->view, .result = result};
     run.view.width = run.view.width ? run.view.width : DEFAULT_SIZE;
     run.view.height = run.view.height ? run.view.height : DEFAULT_SIZE;
-    *result = (struct csg_measurement){.width = run.view.width,
-                                       .height = run.view.height,
-                                       .num_frames = options->num_frames};
+    *result = (struct csg_measurement){
+        .width = run.view.width, .height = run.view.height, .num_frames = options->num_frames};
     const bool good = measure(&run);
     csg_edited_finish(&run.edited);
     csgcast_renderer_destroy(run.renderer);

@@ -12,28 +12,28 @@ struct csg_spread {
 
 /* ms of one frame, or the medians of several. */
 struct csg_frame_times {
-    double frame; /* with its edit */
-    double work;  /* of it: processor time, all cores together */
-    double edit;  /* of it: csgcast_scene_edit */
-    double cpu;   /* of it: preparing in double precision */
+    double frame;                               /* with its edit */
+    double work;                                /* of it: processor time, all cores together */
+    double edit;                                /* of it: csgcast_scene_edit */
+    double cpu;                                 /* of it: preparing in double precision */
     double csg, tile, pack, upload, draw, read; /* stages, as in csgcast_stats */
 };
 
 /* No pointers: it goes through a pipe. */
 struct csg_measurement {
-    int width, height;          /* pixels */
-    int num_frames;             /* after the first image */
+    int width, height; /* pixels */
+    int num_frames;    /* after the first image */
     size_t num_leaves;
     char renderer[256];
-    double load_ms;             /* the scene file */
-    double first_image_ms;      /* load, context, programs and the first frame */
-    struct csg_frame_times first; /* of that frame: the stages */
-    size_t first_programs;      /* compiled for it */
-    struct csg_spread frame_ms; /* later frames, with their edits */
+    double load_ms;                 /* the scene file */
+    double first_image_ms;          /* load, context, programs and the first frame */
+    struct csg_frame_times first;   /* of that frame: the stages */
+    size_t first_programs;          /* compiled for it */
+    struct csg_spread frame_ms;     /* later frames, with their edits */
     struct csg_frame_times medians; /* of them */
-    double compile_ms;          /* all programs */
-    struct csgcast_stats stats; /* of the last frame */
-    size_t peak_rss;            /* bytes, of the process that measured */
+    double compile_ms;              /* all programs */
+    struct csgcast_stats stats;     /* of the last frame */
+    size_t peak_rss;                /* bytes, of the process that measured */
 };
 
 /* false after a message. */

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#define MAX_FRAMES 100000    /* of a measurement */
+#define MAX_FRAMES 100000 /* of a measurement */
 
 static const char *set_output(struct csg_cli_options *options, const char *value)
 {

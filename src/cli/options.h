@@ -46,7 +46,7 @@ enum csg_cli_edit { CSG_CLI_EDIT_MATRIX, CSG_CLI_EDIT_PARAMETERS, CSG_CLI_EDIT_C
 struct csg_cli_options {
     struct csg_compare_options compare;
     struct csg_report_options report;
-    const char *input;  /* a path, or "-" for standard input; of several the first */
+    const char *input;   /* a path, or "-" for standard input; of several the first */
     const char **inputs; /* num_inputs; freed by csg_options_finish */
     size_t num_inputs;
     const char *output; /* a path, "-" for standard output; NULL: not given */
@@ -59,13 +59,13 @@ struct csg_cli_options {
     const char **defines; /* what scene.defines points to; freed likewise */
     const char **fonts;   /* likewise */
     bool quiet, stats, json, no_gl;
-    int num_animated;  /* render: frames of an animation; 0: one picture */
-    int num_frames;    /* bench: after the first image */
-    bool orbit, edit;  /* bench: what changes from frame to frame */
-    int edited_leaf;   /* bench: -1 for the last one */
+    int num_animated;            /* render: frames of an animation; 0: one picture */
+    int num_frames;              /* bench: after the first image */
+    bool orbit, edit;            /* bench: what changes from frame to frame */
+    int edited_leaf;             /* bench: -1 for the last one */
     enum csg_cli_edit edit_what; /* bench */
-    bool clear; /* the cache */
-    bool help; /* show the help instead */
+    bool clear;                  /* the cache */
+    bool help;                   /* show the help instead */
 };
 
 /*

@@ -141,8 +141,7 @@ bool csg_report_make_mesh(const struct csg_report *report, const char *path,
 {
     struct mesher mesher = {.options = report->options};
     char absolute[PATH_MAX];
-    if (!realpath(path, absolute) ||
-        !csg_process_make_folder(&mesher.folder)) {
+    if (!realpath(path, absolute) || !csg_process_make_folder(&mesher.folder)) {
         snprintf(item->note, sizeof item->note, "no temporary folder");
         return false;
     }

@@ -10,8 +10,14 @@ struct row {
     bool is_time; /* a double, in ms; else a size_t */
 };
 
-#define SIZE(key, label) {#key, label, offsetof(struct csgcast_stats, key), false}
-#define TIME(key, label) {#key, label, offsetof(struct csgcast_stats, key), true}
+#define SIZE(key, label)                                                                           \
+    {                                                                                              \
+#key, label, offsetof(struct csgcast_stats, key), false                                    \
+    }
+#define TIME(key, label)                                                                           \
+    {                                                                                              \
+#key, label, offsetof(struct csgcast_stats, key), true                                     \
+    }
 
 static const struct row rows[] = {
     SIZE(texture_bytes, "texture bytes"),

@@ -128,8 +128,7 @@ char *csg_folder_file(const struct csg_folder *folder, const char *name)
 bool csg_folder_has_room(const struct csg_folder *folder)
 {
     static const char some[16384]; /* more than what is left in a file's last block */
-    const int file =
-        openat(folder->lock, "room", O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    const int file = openat(folder->lock, "room", O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     if (file < 0)
         return false;
     const ssize_t written = write(file, some, sizeof some);

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-static void print_to_stderr(enum csgcast_log_level level, enum csgcast_message id,
-                            const char *text)
+static void print_to_stderr(enum csgcast_log_level level, enum csgcast_message id, const char *text)
 {
     static const char *const prefix[] = {"error: ", "warning: ", ""};
     if (id != CSGCAST_MESSAGE_PROGRESS || isatty(STDERR_FILENO))
@@ -26,8 +25,8 @@ char *csg_log_format(char small[CSG_LOG_SMALL], const char *format, va_list args
     return large;
 }
 
-void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
-                   enum csgcast_message id, const char *format, ...)
+void csg_log_print(const struct csg_log *log, enum csgcast_log_level level, enum csgcast_message id,
+                   const char *format, ...)
 {
     char small[CSG_LOG_SMALL];
     va_list args;

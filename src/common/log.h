@@ -25,8 +25,8 @@ enum { CSG_LOG_SMALL = 512 };
 char *csg_log_format(char small[CSG_LOG_SMALL], const char *format, va_list args) CSG_PRINTF(2, 0);
 
 /* Formats one message of any length and hands it to the callback. */
-void csg_log_print(const struct csg_log *log, enum csgcast_log_level level,
-                   enum csgcast_message id, const char *format, ...) CSG_PRINTF(4, 5);
+void csg_log_print(const struct csg_log *log, enum csgcast_log_level level, enum csgcast_message id,
+                   const char *format, ...) CSG_PRINTF(4, 5);
 
 #define csg_log_error(log, id, ...) csg_log_print(log, CSGCAST_LOG_ERROR, id, __VA_ARGS__)
 #define csg_log_warning(log, id, ...) csg_log_print(log, CSGCAST_LOG_WARNING, id, __VA_ARGS__)

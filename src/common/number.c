@@ -168,8 +168,8 @@ bool csg_number_read(const char *text, size_t length, struct csg_number *number)
     }
     if (at != length)
         return false;
-    if (!convert_exactly(&decimal, &number->value) &&
-        !convert_widely(&decimal, &number->value) && !convert_slowly(text, length, &number->value))
+    if (!convert_exactly(&decimal, &number->value) && !convert_widely(&decimal, &number->value) &&
+        !convert_slowly(text, length, &number->value))
         return false;
     number->rounding = rounding_of(&decimal, number->value);
     return true;

@@ -13,8 +13,8 @@
 
 struct csg_process {
     bool is_running;
-    int error;  /* of waiting or reading, when it has ended; 0: none */
-    int status; /* as from waitpid, when it has ended */
+    int error;               /* of waiting or reading, when it has ended; 0: none */
+    int status;              /* as from waitpid, when it has ended */
     struct csg_bytes output; /* both of its output streams; the caller frees data */
     pid_t pid;
     int pipe;

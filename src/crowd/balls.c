@@ -72,8 +72,8 @@ PART void project_flat_axis(const struct csg_camera *camera, int axis, const str
 }
 
 WIDE void project(const struct csg_camera *camera, const double *restrict x,
-                  const double *restrict y, const double *restrict z,
-                  const double *restrict radius, size_t num, struct csg_ball_prints *restrict out)
+                  const double *restrict y, const double *restrict z, const double *restrict radius,
+                  size_t num, struct csg_ball_prints *restrict out)
 {
     struct seen seen;
     see(camera, x, y, z, num, &seen);

@@ -21,12 +21,11 @@ static float affine_noise(float c, float cx, float cy, const struct csg_cast_rec
                           float *largest)
 {
     const float x = 0.5f * (rect->lo[0] + rect->hi[0]), y = 0.5f * (rect->lo[1] + rect->hi[1]);
-    const float half = 0.5f * (fabsf(cx) * (rect->hi[0] - rect->lo[0]) +
-                               fabsf(cy) * (rect->hi[1] - rect->lo[1]));
+    const float half =
+        0.5f * (fabsf(cx) * (rect->hi[0] - rect->lo[0]) + fabsf(cy) * (rect->hi[1] - rect->lo[1]));
     const float reach[2] = {larger(fabsf(rect->lo[0]), fabsf(rect->hi[0])),
                             larger(fabsf(rect->lo[1]), fabsf(rect->hi[1]))};
-    const float noise =
-        ROUNDING * (fabsf(c) + fabsf(cx) * reach[0] + fabsf(cy) * reach[1]);
+    const float noise = ROUNDING * (fabsf(c) + fabsf(cx) * reach[0] + fabsf(cy) * reach[1]);
     *largest = fabsf(c + cx * x + cy * y) + half + noise;
     return noise;
 }
@@ -41,13 +40,12 @@ static void bound_quadric(struct csg_cast *cast, const struct csg_cast_rect *rec
     const float y_noise = affine_noise(t[8], -t[6], t[5], rect, &y);
     const float c0 = fabsf(t[7]), cx = fabsf(t[9]), cy = fabsf(t[10]), ly = fabsf(t[11]);
     const float size = c0 + y * (cy + ly * y) + x * (cx + x);
-    cast->conic_noise =
-        ROUNDING * size + y_noise * (cy + 2 * ly * y) + x_noise * (cx + 2 * x);
+    cast->conic_noise = ROUNDING * size + y_noise * (cy + 2 * ly * y) + x_noise * (cx + 2 * x);
     cast->quadric_noise = cast->noise + middle_noise + ROUNDING * sqrtf(size);
 }
 
-bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes,
-                   const float *terms, const struct csg_cast_rect *rect, float noise)
+bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes, const float *terms,
+                   const struct csg_cast_rect *rect, float noise)
 {
     *cast = (struct csg_cast){.quadric = has_quadric ? terms : NULL,
                               .planes = terms + (has_quadric ? 12 : 0),
@@ -356,10 +354,10 @@ static float sloping_entry(const struct csg_cast *cast, const struct csg_tilt *t
     const float r = sqrtf(h), scale = 1 / (t[5] * t[5] + t[6] * t[6]);
     const float mx = t[1] - tilt->slope[0], my = t[2] - tilt->slope[1];
     const float mu = (mx * t[5] + my * t[6]) * scale, mv = (my * t[5] - mx * t[6]) * scale;
-    const struct range u = square_range(mu - (t[9] + 2 * sign * x) / (2 * r), -sign / (2 * r),
-                                        around_zero(of->x));
-    const struct range v = square_range(mv - (t[10] + 2 * t[11] * y) / (2 * r), -t[11] / (2 * r),
-                                        around_zero(of->y));
+    const struct range u =
+        square_range(mu - (t[9] + 2 * sign * x) / (2 * r), -sign / (2 * r), around_zero(of->x));
+    const struct range v =
+        square_range(mv - (t[10] + 2 * t[11] * y) / (2 * r), -t[11] / (2 * r), around_zero(of->y));
     const float bound =
         middle_of(of->middle) + u.lo + v.lo - r - cast->conic_noise / r - cast->quadric_noise;
     return bound > -CSG_KEY_MAX ? bound : -CSG_KEY_MAX; /* nor a NaN */

@@ -17,8 +17,8 @@ struct csg_cast {
     const float *quadric; /* three texels; NULL: none */
     const float *planes;  /* one texel each */
     uint32_t num_planes;
-    float noise;          /* of keys, whatever the member: the depth buffer's steps */
-    float quadric_noise;  /* of the middle of its crossings, and of the root */
+    float noise;         /* of keys, whatever the member: the depth buffer's steps */
+    float quadric_noise; /* of the middle of its crossings, and of the root */
     float conic_noise;
     float plane_noise[CSG_CROWD_MAX_PLANES];
 };
@@ -33,8 +33,8 @@ struct csg_cast_rect {
 
 /* From csg_member_terms, for pixels in rect. false: not of the kind that can be cast here, which is
  * what lies between its quadric's crossings. */
-bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes,
-                   const float *terms, const struct csg_cast_rect *rect, float noise);
+bool csg_cast_init(struct csg_cast *cast, bool has_quadric, uint32_t num_planes, const float *terms,
+                   const struct csg_cast_rect *rect, float noise);
 
 /* Bounds of where a ray enters and leaves: where it may miss, entry_hi is not less than exit_lo,
  * and where it certainly does, entry_lo is more than exit_hi. */

@@ -46,9 +46,8 @@ static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric =
-        face.carrier == CSG_NO_CARRIER
-            ? NULL
-            : csg_carrier_quadric(scene, scene->carriers, face.carrier);
+        face.carrier == CSG_NO_CARRIER ? NULL
+                                       : csg_carrier_quadric(scene, scene->carriers, face.carrier);
     return csg_outline_of(&scene->leaves[leaf].shape, quadric, ball, numbers);
 }
 
@@ -256,7 +255,7 @@ static const struct csg_crowd_class *class_at(const struct csg_crowd *crowd, siz
 {
     const struct csg_crowd_class *class = crowd->classes;
     while (member >= class->end)
-        class++;
+        class ++;
     return class;
 }
 
@@ -316,8 +315,7 @@ static void put_outlines(void *user, size_t chunk)
         put_outline(outlining->crowd, i, outlining->scene);
 }
 
-static enum csg_cover cover_of(const struct csgcast_scene *scene,
-                                   const struct csg_object *object)
+static enum csg_cover cover_of(const struct csgcast_scene *scene, const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
     if (object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)

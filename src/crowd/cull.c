@@ -19,8 +19,8 @@ static enum verdict judge(const struct csg_cull *cull, const struct csg_footprin
 {
     const struct csg_crowd *crowd = cull->view.crowd;
     const double range[2] = {begin, begin + 2 * crowd->radius[out->member]};
-    if (!cull->all_in_float && !csg_precision_suffices(&cull->view.frame->screen, range,
-                                                       (double)crowd->need[out->member]))
+    if (!cull->all_in_float &&
+        !csg_precision_suffices(&cull->view.frame->screen, range, (double)crowd->need[out->member]))
         return DEMOTED;
     memcpy(out->lo, print->lo, sizeof out->lo);
     memcpy(out->hi, print->hi, sizeof out->hi);
@@ -33,8 +33,8 @@ static enum verdict look_at(const struct csg_cull *cull, const struct csg_camera
 {
     const struct csg_crowd *crowd = cull->view.crowd;
     const size_t i = out->member;
-    const struct csg_seen_ball ball = csg_camera_see(
-        camera, csg_vec3(crowd->x[i], crowd->y[i], crowd->z[i]), crowd->radius[i]);
+    const struct csg_seen_ball ball =
+        csg_camera_see(camera, csg_vec3(crowd->x[i], crowd->y[i], crowd->z[i]), crowd->radius[i]);
     const double r = ball.radius, t = ball.t, near = CSG_BALL_NEAR * r;
     const double *numbers =
         crowd->numbers + class->numbers + (i - class->begin) * csg_outline_size(class->outline);
@@ -82,9 +82,8 @@ static void look_at_balls(struct csg_cull *cull, const struct csg_camera *camera
     for (uint32_t i = 0; i < end - begin; i++) {
         const int32_t lo[2] = {prints.lo[0][i], prints.lo[1][i]};
         const int32_t hi[2] = {prints.hi[0][i], prints.hi[1][i]};
-        const struct csg_footprint print = {{(int16_t)lo[0], (int16_t)lo[1]},
-                                            {(int16_t)hi[0], (int16_t)hi[1]},
-                                            prints.near[i]};
+        const struct csg_footprint print = {
+            {(int16_t)lo[0], (int16_t)lo[1]}, {(int16_t)hi[0], (int16_t)hi[1]}, prints.near[i]};
         if (prints.plain[i] && (lo[0] > hi[0] || lo[1] > hi[1]))
             cull->demoted[begin + i] = false; /* it covers no pixel */
         else
@@ -159,9 +158,8 @@ static bool are_all_in_float(const struct csg_cull *cull)
 {
     double range[2];
     csg_depth_range(&cull->view.frame->screen, &cull->view.scene->drawn, range);
-    return range[1] > range[0] &&
-           csg_precision_suffices(&cull->view.frame->screen, range,
-                                  (double)cull->view.crowd->least_need);
+    return range[1] > range[0] && csg_precision_suffices(&cull->view.frame->screen, range,
+                                                         (double)cull->view.crowd->least_need);
 }
 
 const float *csg_cull_terms(struct csg_cull *cull, uint32_t class, uint32_t member)

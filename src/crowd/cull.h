@@ -23,15 +23,15 @@ struct csg_candidate {
     int16_t lo[2], hi[2]; /* the pixels where it may show, both ends included; y upwards */
     float key;            /* nothing of it is nearer */
     uint16_t class;
-    bool by_rect;         /* it is drawn there by itself */
-    bool owns;            /* it is drawn where it owns pixels, see crowd/owners.h */
+    bool by_rect; /* it is drawn there by itself */
+    bool owns;    /* it is drawn where it owns pixels, see crowd/owners.h */
 };
 
 /* A run of members of one class, and what is left of it. */
 struct csg_crowd_block {
     uint32_t class;
-    uint32_t begin, end; /* members; its candidates start at begin */
-    uint32_t num;        /* candidates */
+    uint32_t begin, end;  /* members; its candidates start at begin */
+    uint32_t num;         /* candidates */
     float lo_key, hi_key; /* of theirs; infinite where there are none */
 };
 
@@ -41,7 +41,7 @@ enum { CSG_TERMS_UNKNOWN, CSG_TERMS_STIFF, CSG_TERMS_FIRST };
 
 struct csg_cull {
     struct csg_crowd_view view;
-    bool all_in_float;                /* no member needs better keys in this view */
+    bool all_in_float; /* no member needs better keys in this view */
     CSG_ARRAY(struct csg_crowd_block) blocks;
     struct csg_candidate *candidates; /* one a member */
     uint8_t *demoted;                 /* per member: drawn as other objects are */
@@ -53,9 +53,9 @@ struct csg_cull {
     bool together;            /* so many translucent members that only their nearest sides show */
     atomic_bool *drawn; /* per member: some pixel may show it, as far as those before it tell; with
                            owners: some pixel that it cannot own */
-    float *terms; /* of csg_member_terms, of the members that had to be cast */
-    uint32_t *places; /* of theirs, per member */
-    size_t terms_at[CSG_CROWD_MAX_CLASSES]; /* a class's */
+    float *terms;       /* of csg_member_terms, of the members that had to be cast */
+    uint32_t *places;   /* of theirs, per member */
+    size_t terms_at[CSG_CROWD_MAX_CLASSES];       /* a class's */
     atomic_uint num_terms[CSG_CROWD_MAX_CLASSES]; /* members of a class that have a place */
 };
 

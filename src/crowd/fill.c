@@ -330,8 +330,7 @@ static void count_singles(struct filler *filler)
         for (size_t j = block->begin; j < block->begin + block->num; j++) {
             const struct csg_candidate *candidate = &cull->candidates[j];
             if (!cull->demoted[candidate->member])
-                csg_singles_note(singles, filler->scene,
-                                 cull->view.crowd->leaf[candidate->member],
+                csg_singles_note(singles, filler->scene, cull->view.crowd->leaf[candidate->member],
                                  candidate->by_rect ? pixels_of(candidate) : 0);
         }
     }
@@ -372,18 +371,21 @@ static bool fill(struct filler *filler)
         return false;
     count_singles(filler);
     count_owned(filler);
-    return list_objects(filler) &&
-           csg_sift(filler->frame, filler->scene,
-                    filler->cull.has_relief ? &filler->cull.relief : NULL);
+    return list_objects(filler) && csg_sift(filler->frame, filler->scene,
+                                            filler->cull.has_relief ? &filler->cull.relief : NULL);
 }
 
 bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params)
 {
-    struct filler filler = {.cull.view = {.scene = scene, .crowd = scene->crowd, .frame = frame,
+    struct filler filler = {.cull.view = {.scene = scene,
+                                          .crowd = scene->crowd,
+                                          .frame = frame,
                                           .square = csg_screen_is_square(&frame->screen)},
                             .cull.max_owners = params->max_owners,
-                            .frame = frame, .scene = scene, .params = params};
+                            .frame = frame,
+                            .scene = scene,
+                            .params = params};
     frame->crowd.runs.num = frame->crowd.instances.num = frame->crowd.owners.num = 0;
     const bool ok = csg_cull_run(&filler.cull) && fill(&filler);
     csg_cull_finish(&filler.cull);

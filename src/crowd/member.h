@@ -18,7 +18,7 @@ struct csg_crowd_view {
 /* Floats of a member's terms: three texels of a quadric, one a plane (crowd/run.h). */
 static inline size_t csg_member_num_terms(const struct csg_crowd_class *class)
 {
-    return (class->has_quadric ? 12u : 0u) + 4 * (size_t)class->num_planes;
+    return (class->has_quadric ? 12u : 0u) + 4 * (size_t) class->num_planes;
 }
 
 /* The terms of any leaf with planes and quadrics, as a class of its own has them. false: the

@@ -14,7 +14,7 @@ typedef uint32_t places[CSG_NUM_BANDS];
 struct finder {
     const struct csg_cull *cull;
     struct csg_occluders *occluders;
-    bool opaque; /* or else translucent */
+    bool opaque;      /* or else translucent */
     uint8_t *band_of; /* by row */
     places *next;
     size_t *num; /* per block, of those */

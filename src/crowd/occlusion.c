@@ -60,8 +60,7 @@ static bool prepare(const struct csg_cull *cull, const struct csg_relief *relief
     const struct csg_cast_rect rect = csg_relief_offsets(relief, &pixels);
     const struct csg_crowd_class *class = &cull->view.crowd->classes[candidate->class];
     const float noise = (float)csg_occlusion_noise(screen_of(cull), (double)candidate->key);
-    return terms &&
-           csg_cast_init(cast, class->has_quadric, class->num_planes, terms, &rect, noise);
+    return terms && csg_cast_init(cast, class->has_quadric, class->num_planes, terms, &rect, noise);
 }
 
 /* Terms for a band: those that all may use are found by the one in which the occluder begins. */
@@ -80,7 +79,7 @@ struct drawing {
     struct csg_occluders occluders;
     struct csg_relief *reliefs;
     size_t num_reliefs;
-    const struct csg_relief *base; /* what hides besides; NULL: nothing */
+    const struct csg_relief *base;         /* what hides besides; NULL: nothing */
     struct csg_owned owned[CSG_NUM_BANDS]; /* of the first relief, where it has owners */
 };
 
@@ -149,8 +148,8 @@ static void draw_band(void *user, size_t task)
             draw_occluder(drawing, occluder, terms_in(cull, occluder, begin, own), &pixels);
     }
     if (drawing->reliefs->owners)
-        drawing->owned[task] = csg_owners_note(drawing->reliefs->owners, begin, end + 1,
-                                               drawing->reliefs->keys);
+        drawing->owned[task] =
+            csg_owners_note(drawing->reliefs->owners, begin, end + 1, drawing->reliefs->keys);
 }
 
 static bool note_drawn(struct csg_cull *cull)

@@ -8,11 +8,10 @@
 bool csg_owners_init(struct csg_owners *owners, int width, int height, size_t num_members,
                      atomic_bool *rivals)
 {
-    *owners = (struct csg_owners){
-        .width = width,
-        .height = height,
-        .stride = (size_t)width + CSG_CAST_LANES,
-        .rivals = rivals};
+    *owners = (struct csg_owners){.width = width,
+                                  .height = height,
+                                  .stride = (size_t)width + CSG_CAST_LANES,
+                                  .rivals = rivals};
     const size_t num = owners->stride * (size_t)height;
     owners->who = malloc((num + 1) * sizeof *owners->who);
     owners->least = malloc((num + 1) * sizeof *owners->least);

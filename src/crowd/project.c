@@ -65,9 +65,8 @@ struct seen {
 static struct seen see(const struct csg_camera *camera, const double *v)
 {
     const struct csg_vec3 vector = {v[0], v[1], v[2]};
-    return (struct seen){
-        {csg_dot(vector, camera->axis[0]), csg_dot(vector, camera->axis[1])},
-        csg_dot(vector, camera->forward)};
+    return (struct seen){{csg_dot(vector, camera->axis[0]), csg_dot(vector, camera->axis[1])},
+                         csg_dot(vector, camera->forward)};
 }
 
 static void extend(struct reach *reach, int axis, double middle, double half)

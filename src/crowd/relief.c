@@ -204,8 +204,7 @@ static bool is_hidden(const struct csg_relief *relief, const struct csg_cast *ca
     const struct csg_tilt level = {{0, 0}, {0, 0}};
     const struct csg_cast_rect rect = csg_relief_offsets(relief, p);
     return csg_cast_near(cast, relief->side, &rect, &level) > part->square->far ||
-           csg_cast_near(cast, relief->side, &rect, &part->square->tilt) >
-               part->square->tilted_far;
+           csg_cast_near(cast, relief->side, &rect, &part->square->tilt) > part->square->tilted_far;
 }
 
 /* ---- pixels, as many as there are lanes ---- */
@@ -244,8 +243,8 @@ static bool draw_part(const struct csg_relief *relief, const struct csg_cast *ca
     for (int y = pixels->lo[1]; y <= pixels->hi[1]; y++)
         for (int x = pixels->lo[0]; x <= pixels->hi[0]; x += CSG_CAST_LANES)
             changed |= csg_cast_draw(cast, relief->side, rect.lo[0] + (float)(x - pixels->lo[0]),
-                                     rect.lo[1] + (float)(y - pixels->lo[1]),
-                                     lanes_left(pixels, x), keys_at(relief, x, y));
+                                     rect.lo[1] + (float)(y - pixels->lo[1]), lanes_left(pixels, x),
+                                     keys_at(relief, x, y));
     return changed;
 }
 
@@ -290,8 +289,7 @@ static void find_shown(const struct csg_relief *relief, const struct csg_cast *c
             const int num = lanes_left(pixels, x);
             unsigned shows = contested ? csg_owners_contested(relief->owners, x, y, num) : ~0u;
             if (shows)
-                shows &= csg_cast_shows(cast, relief->side,
-                                        rect.lo[0] + (float)(x - pixels->lo[0]),
+                shows &= csg_cast_shows(cast, relief->side, rect.lo[0] + (float)(x - pixels->lo[0]),
                                         rect.lo[1] + (float)(y - pixels->lo[1]), num,
                                         keys_at(relief, x, y));
             if (!shows)

@@ -32,10 +32,10 @@ struct csg_crowd_run {
  * attribute blocks.
  */
 struct csg_owned_instance {
-    float rect[4]; /* around such pixels, in clip space */
-    int32_t begin, end; /* numbers */
+    float rect[4];         /* around such pixels, in clip space */
+    int32_t begin, end;    /* numbers */
     int32_t terms, blocks; /* places of the first one's */
-    int32_t width; /* of the picture */
+    int32_t width;         /* of the picture */
 };
 
 struct csg_frame_crowd {

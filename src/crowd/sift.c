@@ -57,9 +57,9 @@ struct sift {
     struct sifted *sifted; /* one a listed object */
     size_t num, num_chunks;
     struct chunk *chunks;
-    bool casts; /* objects hide each other; else only the base hides them */
-    float lo, scale;    /* of keys, for bins */
-    uint32_t *ordered;  /* of each band its objects, roughly the nearest first */
+    bool casts;                  /* objects hide each other; else only the base hides them */
+    float lo, scale;             /* of keys, for bins */
+    uint32_t *ordered;           /* of each band its objects, roughly the nearest first */
     size_t begin[NUM_BANDS + 1]; /* of a band in them */
 };
 
@@ -90,8 +90,8 @@ static void look_at(const struct sift *sift, uint32_t index, struct sifted *out)
     if (cover == CSG_COVER_GLASS || !csg_box_is_finite(box) ||
         (!screen->orthographic && !(depth[0] > 2 * screen->near)))
         return;
-    const struct csg_seen_ball ball = csg_camera_see(
-        &sift->camera, csg_scale(0.5, csg_add(box->lo, box->hi)), csg_length(half));
+    const struct csg_seen_ball ball =
+        csg_camera_see(&sift->camera, csg_scale(0.5, csg_add(box->lo, box->hi)), csg_length(half));
     out->state = GONE;
     if (!csg_outline_project(&sift->camera, CSG_OUTLINE_BOX, axes, &ball, &print))
         return;
@@ -360,7 +360,10 @@ static bool run(struct sift *sift)
 bool csg_sift(struct csg_frame *frame, const struct csgcast_scene *scene,
               const struct csg_relief *base)
 {
-    struct sift sift = {.frame = frame, .scene = scene, .base = base, .num = frame->listed.num,
+    struct sift sift = {.frame = frame,
+                        .scene = scene,
+                        .base = base,
+                        .num = frame->listed.num,
                         .num_chunks = (frame->listed.num + CHUNK - 1) / CHUNK,
                         .camera = csg_camera_of(&frame->screen)};
     if (sift.num < MIN_SIFTED)

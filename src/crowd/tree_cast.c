@@ -43,10 +43,9 @@ bool csg_tree_cast_init(struct csg_tree_cast *tree, const struct csg_frame *fram
             continue;
         float *terms = tree->terms[num_leaves];
         if (!csg_leaf_cast_terms(frame, scene, leaf, terms) ||
-            !csg_cast_init(&tree->casts[num_leaves],
-                           carriers->quadric_faces[leaf].carrier != CSG_NO_CARRIER,
-                           carriers->face_begin[leaf + 1] - carriers->face_begin[leaf], terms, rect,
-                           noise))
+            !csg_cast_init(
+                &tree->casts[num_leaves], carriers->quadric_faces[leaf].carrier != CSG_NO_CARRIER,
+                carriers->face_begin[leaf + 1] - carriers->face_begin[leaf], terms, rect, noise))
             return false;
         tree->leaves[i] = num_leaves++;
     }
@@ -133,8 +132,8 @@ static bool find_first(const struct csg_tree_cast *tree, const struct literal *l
     return false;
 }
 
-WIDE void bound_literals(const struct csg_tree_cast *tree, const struct csg_spans *spans, bool inner,
-                         struct literal *literals)
+WIDE void bound_literals(const struct csg_tree_cast *tree, const struct csg_spans *spans,
+                         bool inner, struct literal *literals)
 {
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->nodes[i];

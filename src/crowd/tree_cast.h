@@ -17,7 +17,7 @@ enum { CSG_TREE_CAST_NODES = 12, CSG_TREE_CAST_LEAVES = 8 };
 
 struct csg_tree_cast {
     const struct csg_node *nodes;
-    uint32_t num, begin; /* nodes, and the number of the first one in its tree */
+    uint32_t num, begin;                  /* nodes, and the number of the first one in its tree */
     uint32_t leaves[CSG_TREE_CAST_NODES]; /* of a node: in casts */
     struct csg_cast casts[CSG_TREE_CAST_LEAVES];
     float terms[CSG_TREE_CAST_LEAVES][12 + 4 * CSG_CROWD_MAX_PLANES];

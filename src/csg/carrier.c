@@ -78,13 +78,12 @@ static bool assign_all(struct csg_carrier_builder *builder)
     builder->keeps = builder->keeps && can_keep(builder);
     builder->is_alone = builder->leaves.num == 1 &&
                         !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
-    if (!builder->is_alone &&
-        (!csg_carrier_start_index(builder) ||
-         !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
-                          builder->largest_rounding)))
+    if (!builder->is_alone && (!csg_carrier_start_index(builder) ||
+                               !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
+                                                builder->largest_rounding)))
         return false;
-    if (!csg_carriers_allocate_faces(builder) || (!builder->is_alone && !builder->keeps &&
-                               !csg_loners_find(&builder->loners, builder)))
+    if (!csg_carriers_allocate_faces(builder) ||
+        (!builder->is_alone && !builder->keeps && !csg_loners_find(&builder->loners, builder)))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
         if (!csg_carrier_assign_leaf(builder, &builder->leaves.data[i]))
@@ -167,8 +166,8 @@ struct csg_carriers *csg_carriers_create(const struct csgcast_scene *scene, bool
     struct csg_carriers *carriers = calloc(1, sizeof *carriers);
     struct csg_carrier_builder *builder = calloc(1, sizeof *builder);
     if (carriers && builder) {
-        *builder = (struct csg_carrier_builder){
-            .scene = scene, .carriers = carriers, .keeps = keeps};
+        *builder =
+            (struct csg_carrier_builder){.scene = scene, .carriers = carriers, .keeps = keeps};
         if (assign_all(builder) && csg_carriers_fill_boxes(scene, carriers)) {
             carriers->kept = builder->keeps ? builder : NULL;
             if (!builder->keeps)

@@ -29,8 +29,8 @@ struct csg_carriers {
     uint32_t *quadric_leaves;      /* whose quadric each is: csg_carrier_quadric */
     size_t quadric_leaves_capacity;
     size_t num_unused_planes, num_unused_quadrics; /* an edit has left them without faces */
-    size_t num_shared; /* faces that found an earlier face's carrier */
-    size_t num_own;    /* planes of surfaces that nothing else can lie on: not in planes[] */
+    size_t num_shared;                             /* faces that found an earlier face's carrier */
+    size_t num_own; /* planes of surfaces that nothing else can lie on: not in planes[] */
 
     uint32_t *face_begin;           /* num_leaves + 1: leaf's plane faces in faces[] */
     struct csg_face *faces;         /* of planes, in the order of the leaf's shape; of a surface

@@ -47,8 +47,8 @@ static bool put_quadric(struct csg_carriers *carriers, uint32_t carrier, uint32_
 }
 
 static bool add_plane(struct csg_carrier_builder *builder, const struct csg_plane *plane,
-                      const struct csg_leaf_extent *extent, const struct csg_rank *rank,
-                      bool alone, struct csg_face *face)
+                      const struct csg_leaf_extent *extent, const struct csg_rank *rank, bool alone,
+                      struct csg_face *face)
 {
     *face = (struct csg_face){0};
     return place(builder, CSG_PLANE, extent, rank, &face->carrier) &&
@@ -136,6 +136,5 @@ bool csg_carrier_assign_leaf(struct csg_carrier_builder *builder, const struct c
             return false;
     }
     return !shape->has_quadric ||
-           csg_carrier_assign_quadric(builder, leaf, &extent, rank,
-                                      is_lone_quadric(builder, leaf));
+           csg_carrier_assign_quadric(builder, leaf, &extent, rank, is_lone_quadric(builder, leaf));
 }

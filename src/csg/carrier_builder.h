@@ -57,14 +57,14 @@ struct csg_carrier_builder {
     bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
     struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
-    struct csg_plane_table planes; /* that were met */
-    bool *wanted;               /* by leaf: it is in leaves */
-    bool is_alone;              /* the only leaf: no face can coincide with another */
-    struct csg_remote remote;   /* faces of surfaces that have no place in carriers->faces */
-    struct csg_loners loners;   /* neither in the index nor in the table */
-    double radius;              /* of the finite part of the scene; where it keeps, with room */
-    double largest_rounding;    /* of the leaves at hand */
-    double most_rounding;       /* ... and where it keeps, of those that may come */
+    struct csg_plane_table planes;  /* that were met */
+    bool *wanted;                   /* by leaf: it is in leaves */
+    bool is_alone;                  /* the only leaf: no face can coincide with another */
+    struct csg_remote remote;       /* faces of surfaces that have no place in carriers->faces */
+    struct csg_loners loners;       /* neither in the index nor in the table */
+    double radius;                  /* of the finite part of the scene; where it keeps, with room */
+    double largest_rounding;        /* of the leaves at hand */
+    double most_rounding;           /* ... and where it keeps, of those that may come */
     struct csg_carrier_reach reach; /* of the index */
     CSG_ARRAY(struct csg_rank) leaves; /* in their order */
 };

@@ -46,8 +46,7 @@ static inline const struct csg_plane *csg_plane_of(const struct csg_carrier_chan
 /* Whether the leaf has changed, comes or goes. */
 static inline bool csg_is_touched(const struct csg_carrier_change *change, uint32_t leaf)
 {
-    return change->before->changed[leaf] ||
-           change->wanted[leaf] != change->builder->wanted[leaf];
+    return change->before->changed[leaf] || change->wanted[leaf] != change->builder->wanted[leaf];
 }
 
 /* The carrier's faces are to be found anew. false: out of memory. */

@@ -64,7 +64,6 @@ static void copy_faces(struct csg_carrier_change *change)
     }
 }
 
-
 static bool start_work(struct csg_carrier_work *work, size_t num_carriers)
 {
     work->num_marks = num_carriers;
@@ -96,9 +95,8 @@ static void count(const struct csg_carrier_builder *builder, struct csg_carriers
             num_faces += builder->lists[kind].uses.data[i];
     carriers->num_unused_planes = builder->lists[CSG_PLANE].free.num;
     carriers->num_unused_quadrics = builder->lists[CSG_QUADRIC].free.num;
-    carriers->num_shared = num_faces + carriers->num_unused_planes +
-                           carriers->num_unused_quadrics - carriers->num_planes -
-                           carriers->num_quadrics;
+    carriers->num_shared = num_faces + carriers->num_unused_planes + carriers->num_unused_quadrics -
+                           carriers->num_planes - carriers->num_quadrics;
 }
 
 /* Whether the object has no quadric in common with another leaf; its own then get their boxes. */
@@ -132,8 +130,7 @@ static bool are_alone(const struct csg_carrier_change *change)
         num += carriers->renewed[i];
     for (size_t i = 0; i < before->num && num == before->num; i++) {
         const uint32_t left = old->quadric_faces[before->leaves[i]].carrier;
-        if (left != CSG_NO_CARRIER &&
-            left != carriers->quadric_faces[before->leaves[i]].carrier &&
+        if (left != CSG_NO_CARRIER && left != carriers->quadric_faces[before->leaves[i]].carrier &&
             change->builder->lists[CSG_QUADRIC].uses.data[left] > 0)
             return false;
     }
@@ -287,8 +284,9 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
         memcpy(change.wanted, change.builder->wanted, scene->num_leaves * sizeof *change.wanted);
     else
         csg_carrier_mark_wanted(scene, change.wanted);
-    struct csg_carriers *carriers =
-        has_same_room(&change) || has_room(&change) ? make(&change) : csg_carriers_create(scene, true);
+    struct csg_carriers *carriers = has_same_room(&change) || has_room(&change)
+                                        ? make(&change)
+                                        : csg_carriers_create(scene, true);
     finish(&change);
     return carriers;
 }

@@ -16,7 +16,7 @@ struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *buil
     const double rounding = shape->rounding;
     if (!csg_box_is_finite(&box))
         return (struct csg_leaf_extent){csg_map_point(&shape->frame, csg_vec3(0, 0, 0)), INFINITY,
-                               builder->radius, rounding};
+                                        builder->radius, rounding};
     const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
     return (struct csg_leaf_extent){csg_scale(0.5, csg_add(box.lo, box.hi)), radius, radius,
                                     rounding};
@@ -81,8 +81,7 @@ static struct csg_plane turned_plane(const struct csg_plane *plane, const struct
 {
     const double s = alignment(plane, other);
     const struct csg_vec3 turn = csg_sub(plane->normal, csg_scale(s, other->normal));
-    return (struct csg_plane){other->normal,
-                              s * (plane->offset - csg_dot(turn, extent->center))};
+    return (struct csg_plane){other->normal, s * (plane->offset - csg_dot(turn, extent->center))};
 }
 
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,

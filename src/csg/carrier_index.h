@@ -13,7 +13,7 @@
 #include "csg/carrier_key.h"
 
 struct csg_index_entry {
-    uint64_t key;   /* hash of what it is found by; different ones may share it */
+    uint64_t key; /* hash of what it is found by; different ones may share it */
     union {
         int64_t normal;    /* the number of a plane's normal */
         uint16_t place[3]; /* of a quadric, more finely than its cell */
@@ -27,9 +27,9 @@ struct csg_carrier_index {
     struct csg_directions directions; /* of the planes in it */
     CSG_ARRAY(uint32_t) buckets;
     CSG_ARRAY(struct csg_index_entry) entries;
-    uint32_t free_entry; /* the first of those that were removed; UINT32_MAX: none */
+    uint32_t free_entry;              /* the first of those that were removed; UINT32_MAX: none */
     CSG_ARRAY(uint64_t) quadric_keys; /* by quadric */
-    CSG_ARRAY(uint32_t) members; /* by plane: the next of its normal and coarse cell */
+    CSG_ARRAY(uint32_t) members;      /* by plane: the next of its normal and coarse cell */
 };
 
 bool csg_index_start(struct csg_carrier_index *index, const struct csg_carrier_space *space);

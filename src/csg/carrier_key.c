@@ -129,8 +129,8 @@ static int keys_around(uint64_t kind, const double coordinates[3], const double 
     for (int k = 0; k < 8; k++) {
         int64_t cell[3];
         for (int i = 0; i < 3; i++)
-            cell[i] = k >> i & 1 ? csg_grid_neighbour(coordinates[i])
-                                 : csg_grid_cell(coordinates[i]);
+            cell[i] =
+                k >> i & 1 ? csg_grid_neighbour(coordinates[i]) : csg_grid_cell(coordinates[i]);
         if ((k & ~far) == 0)
             keys[num++] = key_of_cell(kind, cell);
     }

@@ -19,8 +19,8 @@ struct csg_carrier_reach {
 
 /* Where faces are measured, and the sides of the cells. */
 struct csg_carrier_space {
-    struct csg_vec3 center; /* where offsets are measured */
-    double radius;          /* of the finite part of the scene */
+    struct csg_vec3 center;    /* where offsets are measured */
+    double radius;             /* of the finite part of the scene */
     struct csg_vec3 probes[3]; /* where quadrics are measured */
     double cell; /* length; coincident faces differ by less than a quarter of it, where measured */
     double fine; /* the same for parallel planes, which differ by as much everywhere */

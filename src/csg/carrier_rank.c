@@ -27,9 +27,8 @@ static uint32_t size_of(double radius)
 struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,
                                  uint32_t face)
 {
-    const double radius = builder->scene->leaves[leaf].shape.surface
-                              ? 0
-                              : csg_leaf_extent_of(builder, leaf).radius;
+    const double radius =
+        builder->scene->leaves[leaf].shape.surface ? 0 : csg_leaf_extent_of(builder, leaf).radius;
     return (struct csg_rank){size_of(radius), leaf, face};
 }
 

@@ -65,8 +65,7 @@ static bool assign_faces(struct csg_carrier_builder *builder, const struct csg_r
             csg_carrier_face_extent(&extents[face], shape->rounding);
         if (near[face])
             ok = csg_carrier_assign_plane(builder, &plane, &extent, &own,
-                                          csg_is_lone_plane(builder, begin + face),
-                                          &faces[face]);
+                                          csg_is_lone_plane(builder, begin + face), &faces[face]);
         else
             faces[face].carrier = CSG_NO_CARRIER;
     }

@@ -54,11 +54,10 @@ static double slack_of(const struct csg_carrier_builder *builder, uint32_t leaf,
                        const struct csg_leaf_extent *extent)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    const double lever = shape->surface      ? MAX_LEVER
+    const double lever = shape->surface     ? MAX_LEVER
                          : is_sphere(shape) ? 1
-                                             : builder->radius / extent->radius;
-    return double_tolerance(extent) *
-           (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
+                                            : builder->radius / extent->radius;
+    return double_tolerance(extent) * (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
 }
 
 /* By how much a face that has that rounding and coincides with one of the leaf's may be turned.
@@ -159,8 +158,7 @@ bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t le
 {
     const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
     const double away = csg_length(csg_sub(extent.center, builder->index.space.center));
-    return csg_carrier_can_follow(builder, leaf) &&
-           away + extent.radius <= builder->radius &&
+    return csg_carrier_can_follow(builder, leaf) && away + extent.radius <= builder->radius &&
            extent.rounding <= builder->most_rounding &&
            turn_of(builder, leaf, &extent, builder->most_rounding) <= builder->reach.turn &&
            slack_of(builder, leaf, &extent) <= builder->reach.slack &&

@@ -64,8 +64,7 @@ void csg_directions_merge(struct csg_directions *to, const struct csg_directions
             note(to, i, from->normals[i]);
 }
 
-static bool has_other(const struct csg_directions *directions, int64_t x, int64_t y,
-                      int64_t number)
+static bool has_other(const struct csg_directions *directions, int64_t x, int64_t y, int64_t number)
 {
     const int64_t there = directions->normals[place_of(x, y)];
     return there != 0 && there != number;

@@ -12,15 +12,15 @@ bool csg_flats_add(struct csg_flats *flats, const struct csg_plane *plane, uint3
     const struct csg_vec3 n = plane->normal;
     const bool turns = n.x != 0 ? n.x < 0 : n.y != 0 ? n.y < 0 : n.z < 0;
     const double s = turns ? -1 : 1;
-    return csg_array_push(&flats->all,
-                          ((struct csg_flat){.normal = csg_scale(s, n),
-                                             .height = s * plane->offset,
-                                             .place = fabs(csg_dot(n, csg_vec3(0.54, 0.32, 0.78))),
-                                             .other_place =
-                                                 fabs(csg_dot(n, csg_vec3(0.81, -0.43, -0.39))),
-                                             .carrier = carrier,
-                                             .leaf = leaf,
-                                             .turned = turned != turns}));
+    return csg_array_push(
+        &flats->all,
+        ((struct csg_flat){.normal = csg_scale(s, n),
+                           .height = s * plane->offset,
+                           .place = fabs(csg_dot(n, csg_vec3(0.54, 0.32, 0.78))),
+                           .other_place = fabs(csg_dot(n, csg_vec3(0.81, -0.43, -0.39))),
+                           .carrier = carrier,
+                           .leaf = leaf,
+                           .turned = turned != turns}));
 }
 
 static bool sort_keys(struct csg_flats *flats)

@@ -19,7 +19,7 @@ struct csg_flat {
 /* Zero-initialise it. */
 struct csg_flats {
     CSG_ARRAY(struct csg_flat) all; /* in the order of the file */
-    struct csg_keys keys; /* by place */
+    struct csg_keys keys;           /* by place */
     CSG_ARRAY(struct csg_flat) sorted;
     CSG_ARRAY(double) other_places; /* of the sorted ones */
     CSG_ARRAY(double) sides[2]; /* heights of those, not turned and turned, of others infinity */

@@ -45,8 +45,7 @@ static bool add_object(struct follow *follow, uint32_t object)
 static bool is_alike(const struct csg_shape *a, const struct csg_shape *b)
 {
     return !a->surface && !b->surface && a->num_planes == b->num_planes &&
-           a->has_quadric == b->has_quadric && a->facetted == b->facetted &&
-           a->convex == b->convex;
+           a->has_quadric == b->has_quadric && a->facetted == b->facetted && a->convex == b->convex;
 }
 
 static bool are_leaves_alike(struct follow *follow)

@@ -189,7 +189,7 @@ static uint8_t known_of_leaf(struct framing *framing, const struct piece *piece,
     uint8_t known;
     if (scene->leaves[node->leaf].shape.surface)
         known = csg_side_of_box(&scene->leaves[node->leaf].box, box) == CSG_NOTHING ? CSG_NOTHING
-                                                                                   : CSG_VARIES;
+                                                                                    : CSG_VARIES;
     else
         known = csg_side_of_leaf(scene, node->leaf, csg_side_is_box(scene, node->leaf), box);
     if (!node->negated || known == CSG_VARIES)
@@ -263,8 +263,8 @@ static struct candidate pop(struct framing *framing)
     const size_t num = framing->heap.num;
     size_t i = 0;
     for (size_t down = 1; down < num; down = 2 * i + 1) {
-        down += down + 1 < num &&
-                reach(framing, &heap[down + 1].box) > reach(framing, &heap[down].box);
+        down +=
+            down + 1 < num && reach(framing, &heap[down + 1].box) > reach(framing, &heap[down].box);
         if (reach(framing, &heap[down].box) <= reach(framing, &last.box))
             break;
         heap[i] = heap[down];

@@ -60,8 +60,8 @@ static bool plane_at(const struct planes *planes, uint32_t i, struct csg_plane *
 {
     if (planes->surface && !planes->near[i])
         return false;
-    *plane = planes->surface ? csg_own_plane(planes->surface, i, &planes->inverse)
-                             : planes->data[i];
+    *plane =
+        planes->surface ? csg_own_plane(planes->surface, i, &planes->inverse) : planes->data[i];
     return true;
 }
 
@@ -146,8 +146,8 @@ static void add_face(struct batch *batch, int num, uint8_t *alone)
     batch->faces[batch->num].alone = alone;
     for (int i = 0; i < num; i++)
         csg_prefetch(
-            &batch->search
-                 ->words[place_of(batch->search, batch->faces[batch->num].keys[i]) / PLACES_A_WORD]);
+            &batch->search->words[place_of(batch->search, batch->faces[batch->num].keys[i]) /
+                                  PLACES_A_WORD]);
     if (++batch->num == BATCH)
         flush(batch);
 }

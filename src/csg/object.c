@@ -59,8 +59,8 @@ static void subtree_boxes(const struct csgcast_scene *scene, const struct csg_tr
 {
     for (uint32_t i = end; i-- > begin;) {
         const struct csg_node *node = &tree->data[i];
-        boxes[i - begin] = node->op == CSG_LEAF ? literal_box(scene, node)
-                                                : node_box(tree, begin, boxes, i);
+        boxes[i - begin] =
+            node->op == CSG_LEAF ? literal_box(scene, node) : node_box(tree, begin, boxes, i);
     }
 }
 
@@ -173,9 +173,9 @@ bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
     if (tree->num == 0)
         return true;
     struct pruner pruner = {.scene = scene, .tree = tree, .known = malloc(scene->num_leaves + 1)};
-    const bool ok = pruner.known && mark_all(&pruner) &&
-                    (pruner.num_marked == csg_tree_count_leaves(tree) ||
-                     csg_tree_simplify(tree, pruner.known));
+    const bool ok =
+        pruner.known && mark_all(&pruner) &&
+        (pruner.num_marked == csg_tree_count_leaves(tree) || csg_tree_simplify(tree, pruner.known));
     free(pruner.known);
     free(pruner.boxes.data);
     free(pruner.contexts.data);

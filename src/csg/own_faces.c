@@ -42,8 +42,8 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
             csg_carrier_face_extent(&surface->extents[plane], shape->rounding);
         const size_t num = builder->carriers->num_planes;
         struct csg_face face;
-        ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL,
-                                      false, &face);
+        ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL, false,
+                                      &face);
         if (ok && builder->carriers->num_planes > num)
             firsts[face.carrier] = plane;
         if (ok)
@@ -58,10 +58,9 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
 static bool fill_compared(struct csg_surface *surface, const struct csg_box *box)
 {
     bool wanted = true;
-    struct csg_leaf leaf = {.shape = {.surface = surface,
-                                      .frame = csg_map_identity,
-                                      .rounding = surface->rounding},
-                            .box = *box};
+    struct csg_leaf leaf = {
+        .shape = {.surface = surface, .frame = csg_map_identity, .rounding = surface->rounding},
+        .box = *box};
     const struct csgcast_scene scene = {.leaves = &leaf, .num_leaves = 1};
     struct csg_carrier_builder builder = {
         .scene = &scene, .wanted = &wanted, .carriers = calloc(1, sizeof *builder.carriers)};

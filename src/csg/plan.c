@@ -30,10 +30,9 @@ static bool is_like(const struct survey *survey, uint32_t a, uint32_t b)
     const size_t num = plan->begin[a + 1] - plan->begin[a];
     bool same = num == plan->begin[b + 1] - plan->begin[b];
     for (size_t i = 0; i < num && same; i++)
-        same = x[i].flags == y[i].flags &&
-               (x[i].flags & CSG_RECORD_POP ||
-                survey->scene->leaves[x[i].leaf].shape.num_planes ==
-                    survey->scene->leaves[y[i].leaf].shape.num_planes);
+        same = x[i].flags == y[i].flags && (x[i].flags & CSG_RECORD_POP ||
+                                            survey->scene->leaves[x[i].leaf].shape.num_planes ==
+                                                survey->scene->leaves[y[i].leaf].shape.num_planes);
     return same;
 }
 
@@ -82,8 +81,7 @@ static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
     for (size_t i = 0; i < objects->num; i++) {
         const struct csg_object *object = &objects->data[i];
         plan->begin[i] = (uint32_t)plan->program.num;
-        if (!csg_program_append(&plan->program, scene, &scene->trees[object->layer],
-                                object->begin))
+        if (!csg_program_append(&plan->program, scene, &scene->trees[object->layer], object->begin))
             return false;
     }
     plan->begin[objects->num] = (uint32_t)plan->program.num;

@@ -73,8 +73,8 @@ static size_t place_of(const struct csg_plane_table *table, size_t hash)
 
 /* Where the turned plane is, or would be: there is always a free slot. */
 static struct csg_plane_slot *slot_of(const struct csg_plane_table *table,
-                                      const struct csg_plane *planes,
-                                      const struct csg_plane *plane, struct csg_face *face)
+                                      const struct csg_plane *planes, const struct csg_plane *plane,
+                                      struct csg_face *face)
 {
     const size_t hash = hash_of(plane);
     const uint32_t tag = (uint32_t)hash;

@@ -74,8 +74,7 @@ uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node
     if (node->leaf >= scene->num_leaves)
         return (node->negated ? CSG_RECORD_NEGATED : 0) | CSG_RECORD_SURFACE | CSG_RECORD_BANDS;
     const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
-    return (node->negated ? CSG_RECORD_NEGATED : 0) |
-           (shape->surface ? CSG_RECORD_SURFACE : 0) |
+    return (node->negated ? CSG_RECORD_NEGATED : 0) | (shape->surface ? CSG_RECORD_SURFACE : 0) |
            (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
            (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
 }

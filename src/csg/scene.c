@@ -125,8 +125,7 @@ static bool fill_tree_info(struct csgcast_scene *scene)
 void csg_scene_fill_carrier_info(struct csgcast_scene *scene)
 {
     const struct csg_carriers *carriers = scene->carriers;
-    scene->info.num_planes =
-        carriers->num_planes - carriers->num_unused_planes + carriers->num_own;
+    scene->info.num_planes = carriers->num_planes - carriers->num_unused_planes + carriers->num_own;
     scene->info.num_quadrics = carriers->num_quadrics - carriers->num_unused_quadrics;
     scene->info.num_shared = scene->carriers->num_shared;
 }
@@ -166,8 +165,7 @@ static bool fill_from_trees(struct csgcast_scene *scene)
 /* Takes what does not show out of the tree; kept, where structure is kept, is it before that. */
 static bool prune(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
 {
-    return (!scene->keeps_structure || csg_tree_copy(tree, kept)) &&
-           csg_tree_prune(scene, tree);
+    return (!scene->keeps_structure || csg_tree_copy(tree, kept)) && csg_tree_prune(scene, tree);
 }
 
 /* What is subtracted is closed, or it would take away all that is seen through its gaps. */

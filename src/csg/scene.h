@@ -12,10 +12,10 @@ struct csg_leaf {
     struct csg_shape shape; /* in world space */
     struct csg_box box;     /* in world space; of csg_scene_finish, for csg_leaf_box */
     enum csg_kind kind;
-    bool is_empty;          /* an edit left nothing of it: shape means nothing */
-    bool is_hole;           /* taken away within its own node: its faces are not cut faces */
-    float color[4];         /* r g b a as the outermost valid color() says; r < 0: none */
-    uint32_t line, column;  /* of the node in the text */
+    bool is_empty;         /* an edit left nothing of it: shape means nothing */
+    bool is_hole;          /* taken away within its own node: its faces are not cut faces */
+    float color[4];        /* r g b a as the outermost valid color() says; r < 0: none */
+    uint32_t line, column; /* of the node in the text */
 };
 
 /* Which of the pictures a tree is part of. */
@@ -57,32 +57,32 @@ struct csg_sharpnesses;
 
 struct csgcast_scene {
     struct csg_log log;
-    char *name;            /* for messages */
-    struct csg_source *source; /* scene/: the text it was read from */
-    struct csg_edits *edits;   /* scene/: NULL until the first edit */
-    int num_threads;       /* that may work on it, see csg_parallel */
-    bool keeps_structure;  /* small objects keep what boxes show to be irrelevant */
+    char *name;                   /* for messages */
+    struct csg_source *source;    /* scene/: the text it was read from */
+    struct csg_edits *edits;      /* scene/: NULL until the first edit */
+    int num_threads;              /* that may work on it, see csg_parallel */
+    bool keeps_structure;         /* small objects keep what boxes show to be irrelevant */
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
-    bool is_distributed;   /* objects were, see csg/distribute.h */
-    uint64_t revision;     /* grows with each edit */
-    double load_ms, csg_ms; /* spent reading it and on csg_scene_finish, for the statistics */
-    struct csg_leaf *leaves; /* in file order: the public leaf index */
+    bool is_distributed;          /* objects were, see csg/distribute.h */
+    uint64_t revision;            /* grows with each edit */
+    double load_ms, csg_ms;       /* spent reading it and on csg_scene_finish, for the statistics */
+    struct csg_leaf *leaves;      /* in file order: the public leaf index */
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];
     CSG_ARRAY(struct csg_handed_off_node) handed_off;
     CSG_ARRAY(struct csg_whole) wholes; /* by leaf, see csg/framing.h */
 
     /* Filled by csg_scene_finish: */
-    struct csg_objects *objects;   /* drawn one by one */
-    struct csg_carriers *carriers; /* distinct surfaces */
-    struct csg_crowd *crowd;       /* objects of one solid each */
-    struct csg_plan *plan;         /* the objects as steps of the shaders' machine */
+    struct csg_objects *objects;       /* drawn one by one */
+    struct csg_carriers *carriers;     /* distinct surfaces */
+    struct csg_crowd *crowd;           /* objects of one solid each */
+    struct csg_plan *plan;             /* the objects as steps of the shaders' machine */
     struct csg_sharpnesses *sharpness; /* of objects: what their geometry asks of numbers */
-    struct csg_cells_store *cells; /* cells/: of objects, on demand */
-    struct csg_follower *follower; /* of the edits since; or NULL */
-    struct csg_box box;            /* of the model */
-    struct csg_box drawn;          /* of the model, % and # */
-    struct csg_box written;        /* what OpenSCAD's viewall frames */
+    struct csg_cells_store *cells;     /* cells/: of objects, on demand */
+    struct csg_follower *follower;     /* of the edits since; or NULL */
+    struct csg_box box;                /* of the model */
+    struct csg_box drawn;              /* of the model, % and # */
+    struct csg_box written;            /* what OpenSCAD's viewall frames */
     struct csgcast_scene_info info;
     struct csgcast_kind_count kinds[CSG_NUM_LEAF_KINDS];
     struct csg_scene_ways ways;

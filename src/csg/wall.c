@@ -83,8 +83,7 @@ static bool pair_ends(struct wall *wall, uint8_t *marks)
             mark(wall, a + 1, marks);
             i++;
         } else if (a->outer > a->inner) {
-            ok = csg_array_push(&wall->sides,
-                                ((struct side){{a->inner, a->outer}, {a->z, a->z}}));
+            ok = csg_array_push(&wall->sides, ((struct side){{a->inner, a->outer}, {a->z, a->z}}));
         }
     }
     free(ends);
@@ -169,9 +168,8 @@ double csg_wall_curvature(const struct csg_shape *shape)
 bool csg_wall_measure(const struct csgcast_scene *scene, const struct csg_stacks *stacks,
                       const struct csg_stack *stack, uint8_t *marks, double *least)
 {
-    struct wall wall = {.scene = scene,
-                        .rings = stacks->rings.data + stack->first_ring,
-                        .num = stack->num_rings};
+    struct wall wall = {
+        .scene = scene, .rings = stacks->rings.data + stack->first_ring, .num = stack->num_rings};
     struct csg_map inverse;
     *least = INFINITY;
     if (stack->num_rings > MAX_RINGS ||

@@ -39,8 +39,8 @@
 #define INSTEAD_OF(name) __asm__(name) __attribute__((visibility("default")))
 
 extern "C" {
-bool csgcast_digits_convert(const void *converter, double value, int digits,
-                            void *builder) INSTEAD_OF(TO_PRECISION);
+bool csgcast_digits_convert(const void *converter, double value, int digits, void *builder)
+    INSTEAD_OF(TO_PRECISION);
 std::ostream *csgcast_digits_insert(std::ostream *stream, double value) INSTEAD_OF(INSERT);
 int csgcast_digits_font(void *config, const unsigned char *file) INSTEAD_OF(ADD_FONT);
 FILE *csgcast_digits_open(const char *name, const char *mode) INSTEAD_OF("fopen");
@@ -48,11 +48,12 @@ FILE *csgcast_digits_open64(const char *name, const char *mode) INSTEAD_OF("fope
 int csgcast_digits_close(FILE *file) INSTEAD_OF("fclose");
 }
 
-namespace {
+namespace
+{
 
 const int six = 6; /* what OpenSCAD asks for */
 
-FILE *output;                    /* the file that is being written, NULL: none */
+FILE *output;                     /* the file that is being written, NULL: none */
 bool is_last;                     /* nothing is written after it */
 bool has_converted, has_inserted; /* the functions are those that openscad calls */
 

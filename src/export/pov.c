@@ -5,7 +5,6 @@
 
 #include "csg/carrier.h"
 
-
 /* POV-Ray's tolerances are absolute, made for scenes of some units: its nearest hit is at 1e-6 or
  * so, its furthest at 1e7. Scenes of other sizes are scaled. */
 #define LEAST_SIZE 0.1
@@ -39,9 +38,7 @@ static struct csg_vec3 find_location(const struct csg_pov *pov)
         return eye;
     for (int i = 0; i < 8; i++)
         nearest = fmin(nearest, csg_dot(csg_sub(csg_box_corner(box, i), eye), forward));
-    return nearest < 0
-               ? csg_add(eye, csg_scale(nearest - 0.1 * pov->size, forward))
-               : eye;
+    return nearest < 0 ? csg_add(eye, csg_scale(nearest - 0.1 * pov->size, forward)) : eye;
 }
 
 static void write_vector(const struct csg_pov *pov, const char *name, struct csg_vec3 v)

@@ -28,8 +28,8 @@ struct csg_pov {
     const struct csg_colorscheme *scheme;
     struct csgcast_frustum frustum;
     struct csg_pov_paints paints;
-    double size; /* of the scene's box; 0 where it is empty or unbounded */
-    double unit; /* POV-Ray's coordinates are the scene's times this */
+    double size;    /* of the scene's box; 0 where it is empty or unbounded */
+    double unit;    /* POV-Ray's coordinates are the scene's times this */
     uint8_t *sides; /* per carrier, planes first: see pov_flush.c */
 };
 

@@ -58,8 +58,7 @@ static bool is_round(const struct csg_map *map, int num)
         if (i < num && !(fabs(size - length) <= SAME * length))
             return false;
         for (int j = 0; j < i; j++)
-            if (!(fabs(csg_dot(axis, column(map, j))) <=
-                  SAME * size * csg_length(column(map, j))))
+            if (!(fabs(csg_dot(axis, column(map, j))) <= SAME * size * csg_length(column(map, j))))
                 return false;
     }
     return true;
@@ -266,10 +265,10 @@ static void write_plane(struct csg_text *text, const struct csg_plane *plane)
 static void write_quadric(struct csg_text *text, const struct csg_shape *shape)
 {
     const struct csg_quadric *quadric = &shape->quadric;
-    const struct csg_vec3 z = csg_vec3(quadric->to_canon.m[2][0], quadric->to_canon.m[2][1],
-                                       quadric->to_canon.m[2][2]);
+    const struct csg_vec3 z =
+        csg_vec3(quadric->to_canon.m[2][0], quadric->to_canon.m[2][1], quadric->to_canon.m[2][2]);
     struct csg_map from_canon;
-    double c[10] = {quadric->diag[0], quadric->diag[1],     quadric->diag[2], 0, 0, 0, 0, 0,
+    double c[10] = {quadric->diag[0],    quadric->diag[1], quadric->diag[2], 0, 0, 0, 0, 0,
                     2 * quadric->linear, quadric->diag[3]};
     const bool is_mapped = csg_map_invert(&quadric->to_canon, &from_canon);
     if (!is_mapped)
@@ -292,8 +291,7 @@ static void write_bound(struct csg_text *text, const struct csg_leaf *leaf)
     if (csg_box_is_empty(&box) || !csg_box_is_finite(&box))
         return;
     const struct csg_vec3 room = csg_scale(BOUND_ROOM, csg_sub(box.hi, box.lo));
-    csg_text_line(text, "bounded_by { box { %s, %s } }",
-                  csg_text_vector(lo, csg_sub(box.lo, room)),
+    csg_text_line(text, "bounded_by { box { %s, %s } }", csg_text_vector(lo, csg_sub(box.lo, room)),
                   csg_text_vector(hi, csg_add(box.hi, room)));
 }
 

@@ -17,9 +17,8 @@ static struct csg_pov_paint paint_of(const struct csg_pov *pov, const struct csg
                                      const struct csg_node *node)
 {
     struct csg_pov_paint paint;
-    const struct csg_leaf *minuend = pov->view->cut_color == CSGCAST_CUT_MINUEND
-                                         ? csg_object_minuend(pov->scene, object)
-                                         : NULL;
+    const struct csg_leaf *minuend =
+        pov->view->cut_color == CSGCAST_CUT_MINUEND ? csg_object_minuend(pov->scene, object) : NULL;
     csg_face_color(pov->scheme, &pov->scene->leaves[node->leaf], minuend, object->paint,
                    node->negated, paint.rgba);
     return paint;

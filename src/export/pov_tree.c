@@ -128,8 +128,8 @@ static void write_leaf(struct writer *writer, const struct csg_node *node, bool 
     snprintf(tail, sizeof tail, "texture { Paint%zu }%s", paint,
              node->negated != flip ? " inverse" : "");
     if (!node->negated) {
-        writer->ok = writer->ok && csg_pov_leaf(writer->pov->text,
-                                                &writer->pov->scene->leaves[node->leaf], tail);
+        writer->ok = writer->ok &&
+                     csg_pov_leaf(writer->pov->text, &writer->pov->scene->leaves[node->leaf], tail);
         return;
     }
     struct csg_leaf moved;

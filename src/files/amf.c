@@ -140,8 +140,7 @@ static bool take_text(void *user, const char *text)
         if (!is_coordinate && !is_path(reader, corners[i]))
             continue;
         double *number = is_coordinate ? &reader->point[i] : &reader->triangle[i];
-        if ((is_coordinate || is_whole(text)) &&
-            csg_number_read_signed(text, strlen(text), number))
+        if ((is_coordinate || is_whole(text)) && csg_number_read_signed(text, strlen(text), number))
             return true;
         snprintf(reader->wrong, sizeof reader->wrong, "'%.40s' is no number", text);
         return false;

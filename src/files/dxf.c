@@ -116,20 +116,36 @@ static void read_number(struct csg_dxf_reader *reader, int id, double value)
 {
     struct csg_dxf_entity *entity = &reader->entity;
     switch (id) {
-    case 10: case 11: case 20: case 21: read_coordinate(reader, id, value); break;
-    case 40: entity->radius = reader->in_blocks ? value : value * reader->params->scale; break;
-    case 41: entity->factor_x = value; break;
-    case 42: entity->factor_y = value; break;
-    case 50: entity->start = value; break;
-    case 51: entity->stop = value; break;
-    default: break;
+    case 10:
+    case 11:
+    case 20:
+    case 21:
+        read_coordinate(reader, id, value);
+        break;
+    case 40:
+        entity->radius = reader->in_blocks ? value : value * reader->params->scale;
+        break;
+    case 41:
+        entity->factor_x = value;
+        break;
+    case 42:
+        entity->factor_y = value;
+        break;
+    case 50:
+        entity->start = value;
+        break;
+    case 51:
+        entity->stop = value;
+        break;
+    default:
+        break;
     }
 }
 
 static bool is_number(int id)
 {
-    return (id >= 10 && id <= 16) || (id >= 20 && id <= 26) || (id >= 40 && id <= 42) ||
-           id == 50 || id == 51;
+    return (id >= 10 && id <= 16) || (id >= 20 && id <= 26) || (id >= 40 && id <= 42) || id == 50 ||
+           id == 51;
 }
 
 static void read_group(struct csg_dxf_reader *reader, int id, struct csg_dxf_word value)

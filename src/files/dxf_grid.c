@@ -106,7 +106,6 @@ bool csg_dxf_lines_align(struct csg_dxf_lines *lines, double x, double y, uint32
 bool csg_dxf_lines_enter(struct csg_dxf_lines *lines, struct csg_dxf_line line)
 {
     const uint32_t number = (uint32_t)lines->list.num;
-    return csg_array_push(&lines->entries,
-                          ((struct csg_dxf_entry){line.cells[0], number})) &&
+    return csg_array_push(&lines->entries, ((struct csg_dxf_entry){line.cells[0], number})) &&
            csg_array_push(&lines->entries, ((struct csg_dxf_entry){line.cells[1], number}));
 }

@@ -17,12 +17,12 @@ struct lists {
 struct joiner {
     const struct csg_dxf_lines *lines;
     struct csg_drawing *drawing;
-    struct lists in_cell;  /* the lines entered in each cell, in the order of the file */
-    struct lists of_line;  /* the cells that each line was entered in */
-    uint32_t *num_left;    /* of each cell's entries, whose lines are not used yet */
-    uint32_t *first_left;  /* of each cell: the lines entered before are used */
-    bool *is_crowded;      /* a cell where some line was entered more than twice */
-    bool *is_used;         /* of each line */
+    struct lists in_cell;           /* the lines entered in each cell, in the order of the file */
+    struct lists of_line;           /* the cells that each line was entered in */
+    uint32_t *num_left;             /* of each cell's entries, whose lines are not used yet */
+    uint32_t *first_left;           /* of each cell: the lines entered before are used */
+    bool *is_crowded;               /* a cell where some line was entered more than twice */
+    bool *is_used;                  /* of each line */
     CSG_ARRAY(uint32_t) candidates; /* a heap, the lowest line on top */
     CSG_ARRAY(uint32_t) path;       /* the cells of the one at hand */
     bool has_open;                  /* some path was open */

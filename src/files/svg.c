@@ -53,15 +53,24 @@ static bool fail(struct reader *reader, enum csg_svg_result result)
 static double to_mm(struct csg_svg_length length, bool has_box, double box, double dpi)
 {
     switch (length.unit) {
-    case CSG_SVG_NONE: return inch * length.number / dpi;
-    case CSG_SVG_PX: return inch * length.number / 96;
-    case CSG_SVG_PT: return inch * length.number / 72;
-    case CSG_SVG_PC: return inch * length.number / 6;
-    case CSG_SVG_IN: return inch * length.number;
-    case CSG_SVG_CM: return 10 * length.number;
-    case CSG_SVG_MM: return length.number;
-    case CSG_SVG_UNDEFINED: return has_box ? inch * box / dpi : 0;
-    default: return has_box ? box : 0;
+    case CSG_SVG_NONE:
+        return inch * length.number / dpi;
+    case CSG_SVG_PX:
+        return inch * length.number / 96;
+    case CSG_SVG_PT:
+        return inch * length.number / 72;
+    case CSG_SVG_PC:
+        return inch * length.number / 6;
+    case CSG_SVG_IN:
+        return inch * length.number;
+    case CSG_SVG_CM:
+        return 10 * length.number;
+    case CSG_SVG_MM:
+        return length.number;
+    case CSG_SVG_UNDEFINED:
+        return has_box ? inch * box / dpi : 0;
+    default:
+        return has_box ? box : 0;
     }
 }
 
@@ -76,8 +85,8 @@ static void read_page(struct reader *reader, const struct csg_svg_attributes *at
     double box[4] = {0};
     const bool has_box = csg_svg_view_box(csg_svg_find(attributes, "viewBox"), box);
     const double dpi = reader->params->dpi;
-    const double width = to_mm(csg_svg_length(csg_svg_find(attributes, "width")), has_box, box[2],
-                               dpi);
+    const double width =
+        to_mm(csg_svg_length(csg_svg_find(attributes, "width")), has_box, box[2], dpi);
     page->height = to_mm(csg_svg_length(csg_svg_find(attributes, "height")), has_box, box[3], dpi);
     if (!has_box)
         return;
@@ -231,8 +240,8 @@ static bool scale_points(struct reader *reader, uint32_t first_point)
     const struct page *page = &reader->page;
     const bool center = reader->params->center && reader->box.lo.x <= reader->box.hi.x;
     const double x = center ? (reader->box.lo.x + reader->box.hi.x) / 2 : -page->align[0];
-    const double y = center ? (reader->box.lo.y + reader->box.hi.y) / 2
-                            : page->height - page->align[1];
+    const double y =
+        center ? (reader->box.lo.y + reader->box.hi.y) / 2 : page->height - page->align[1];
     for (size_t i = first_point; i < reader->drawing->points.num; i++) {
         struct csg_vec2 *p = &reader->drawing->points.data[i];
         p->x = page->scale[0] * (-page->origin[0] + p->x) - x;

@@ -145,8 +145,7 @@ static struct ellipse ellipse_of(const struct arc *arc, struct csg_vec2 a, struc
         e.ry = fabs(sqrt(d) * e.ry);
     }
     const double part = e.rx * e.rx * y * y + e.ry * e.ry * x * x;
-    const double rest =
-        e.rx * e.rx * e.ry * e.ry - e.rx * e.rx * y * y - e.ry * e.ry * x * x;
+    const double rest = e.rx * e.rx * e.ry * e.ry - e.rx * e.rx * y * y - e.ry * e.ry * x * x;
     const double root = sqrt((rest < 0 ? 0 : rest) / part);
     const double k = arc->is_large == arc->is_sweep ? -root : root;
     const double cx = k * e.rx * y / e.ry, cy = k * -e.ry * x / e.rx;
@@ -192,7 +191,7 @@ struct pencil {
     struct csg_vec2 at, control;
     enum curve before; /* what control is of */
     bool was_closed;
-    bool is_negative;           /* a '-' stood before */
+    bool is_negative;            /* a '-' stood before */
     char exponent[max_exponent]; /* "12e", when its digits are the next word */
 };
 
@@ -297,15 +296,33 @@ static int num_args_of(char command)
 static void obey(struct pencil *pencil)
 {
     switch (pencil->command | ('a' - 'A')) {
-    case 'a': arc_to(pencil); break;
-    case 'l': line_to(pencil, point_of(pencil, 0)); break;
-    case 'c': curve_to(pencil, CURVE_CUBIC, false); break;
-    case 's': curve_to(pencil, CURVE_CUBIC, true); break;
-    case 'q': curve_to(pencil, CURVE_QUADRATIC, false); break;
-    case 't': curve_to(pencil, CURVE_QUADRATIC, true); break;
-    case 'm': move_to(pencil); break;
-    case 'v': line_along(pencil, true); break;
-    default: line_along(pencil, false); break;
+    case 'a':
+        arc_to(pencil);
+        break;
+    case 'l':
+        line_to(pencil, point_of(pencil, 0));
+        break;
+    case 'c':
+        curve_to(pencil, CURVE_CUBIC, false);
+        break;
+    case 's':
+        curve_to(pencil, CURVE_CUBIC, true);
+        break;
+    case 'q':
+        curve_to(pencil, CURVE_QUADRATIC, false);
+        break;
+    case 't':
+        curve_to(pencil, CURVE_QUADRATIC, true);
+        break;
+    case 'm':
+        move_to(pencil);
+        break;
+    case 'v':
+        line_along(pencil, true);
+        break;
+    default:
+        line_along(pencil, false);
+        break;
     }
 }
 

@@ -158,9 +158,9 @@ static void add_round_rectangle(struct csg_svg_paths *paths, const struct rectan
 
 static void add_rectangle(struct csg_svg_paths *paths, const struct csg_svg_attributes *attributes)
 {
-    struct rectangle r = {number(attributes, "x"),      number(attributes, "y"),
-                          number(attributes, "width"),  number(attributes, "height"),
-                          number(attributes, "rx"),     number(attributes, "ry")};
+    struct rectangle r = {number(attributes, "x"),     number(attributes, "y"),
+                          number(attributes, "width"), number(attributes, "height"),
+                          number(attributes, "rx"),    number(attributes, "ry")};
     const bool has_rx = fabs(r.rx) >= min_radius, has_ry = fabs(r.ry) >= min_radius;
     if (has_rx || has_ry) {
         r.rx = fmin(has_rx ? r.rx : r.ry, r.width / 2);
@@ -181,8 +181,8 @@ bool csg_svg_add_shape(struct csg_svg_paths *paths, const char *name,
     static const struct {
         const char *name;
         void (*add)(struct csg_svg_paths *paths, const struct csg_svg_attributes *attributes);
-    } shapes[] = {{"path", add_path},       {"rect", add_rectangle},  {"circle", add_circle},
-                  {"ellipse", add_ellipse}, {"line", add_line},       {"polyline", add_polyline},
+    } shapes[] = {{"path", add_path},       {"rect", add_rectangle}, {"circle", add_circle},
+                  {"ellipse", add_ellipse}, {"line", add_line},      {"polyline", add_polyline},
                   {"polygon", add_points}};
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
         if (strcmp(name, shapes[i].name) != 0)

@@ -163,8 +163,8 @@ void read_back(const csg_image_file &file)
 {
     OIIO::ImageSpec spec;
     const auto in = OIIO::ImageInput::create(file.format); /* the path need not tell */
-    bool ok = in && in->open(file.path, spec) && spec.width == file.width &&
-              spec.height == file.height;
+    bool ok =
+        in && in->open(file.path, spec) && spec.width == file.width && spec.height == file.height;
     std::vector<float> row(ok ? size_t(file.width) * size_t(in->spec().nchannels) : 0);
     for (int y = 0; ok && y < file.height; y++)
         ok = in->read_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data());

@@ -94,8 +94,7 @@ static uint32_t split(struct item *items, uint32_t num, const struct csg_box *ce
         if (num > max_compared && size < longest)
             continue;
         int at = 0;
-        const double cost =
-            size > 0 ? best_cut(items, num, i, lo, num_bins / size, &at) : INFINITY;
+        const double cost = size > 0 ? best_cut(items, num, i, lo, num_bins / size, &at) : INFINITY;
         if (cost < least) {
             least = cost;
             axis = i;
@@ -153,8 +152,7 @@ static void fill_items(struct build *build)
         struct item *item = &build->items[i];
         *item = (struct item){.box = csg_box_empty, .triangle = (uint32_t)i};
         for (int j = 0; j < 3; j++)
-            csg_box_extend(&item->box,
-                           surface->points.data[surface->triangles.data[i].points[j]]);
+            csg_box_extend(&item->box, surface->points.data[surface->triangles.data[i].points[j]]);
         item->center = csg_add(csg_scale(0.5, item->box.lo), csg_scale(0.5, item->box.hi));
     }
 }

@@ -92,8 +92,8 @@ void csg_surface_measure(struct csg_surface *surface)
         size = fmax(size, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
     }
     for (size_t i = 0; i < surface->planes.num; i++)
-        finite &= is_finite(surface->planes.data[i].normal) &&
-                  isfinite(surface->planes.data[i].offset);
+        finite &=
+            is_finite(surface->planes.data[i].normal) && isfinite(surface->planes.data[i].offset);
     surface->size = finite ? size : (double)INFINITY;
 }
 
@@ -141,14 +141,13 @@ struct csg_surface_extent *csg_surface_extents(const struct csg_surface *surface
         struct csg_surface_extent *extent = &extents[triangle->plane];
         extent->radius += 3;
         for (int j = 0; j < 3; j++)
-            extent->center =
-                csg_add(extent->center,
-                        csg_map_point(place, surface->points.data[triangle->points[j]]));
+            extent->center = csg_add(
+                extent->center, csg_map_point(place, surface->points.data[triangle->points[j]]));
     }
     for (size_t i = 0; i < surface->planes.num; i++) {
         const double num = extents[i].radius;
-        extents[i] = (struct csg_surface_extent){csg_scale(num > 0 ? 1 / num : 0,
-                                                           extents[i].center), 0};
+        extents[i] =
+            (struct csg_surface_extent){csg_scale(num > 0 ? 1 / num : 0, extents[i].center), 0};
     }
     for (size_t i = 0; i < surface->triangles.num; i++) {
         const struct csg_triangle *triangle = &surface->triangles.data[i];

@@ -61,10 +61,10 @@ struct csg_surface {
     struct csg_own_face *own;                 /* by plane; NULL until csg_own_faces_find */
     struct csg_surface_extent *extents;       /* likewise */
     size_t num_own;                           /* planes that are their own */
-    double size; /* largest coordinate; infinite where a point or plane is not finite */
+    double size;    /* largest coordinate; infinite where a point or plane is not finite */
     bool is_simple; /* no two faces lie upon each other, not even in part */
-    bool open; /* some edge does not belong to two triangles in opposite directions */
-    bool is_filled;             /* of its gaps, what can be */
+    bool open;      /* some edge does not belong to two triangles in opposite directions */
+    bool is_filled; /* of its gaps, what can be */
     struct csg_surface *closed; /* see csg_surface_closed; NULL until it is asked for */
 };
 

@@ -38,8 +38,8 @@ static const struct csg_shape *shape_of(const struct builder *builder, uint32_t 
 
 static const struct csg_ring *ring_of(const struct builder *builder, uint32_t ring)
 {
-    return &builder->stacks->rings.data[builder->stacks->list.data[builder->stack].first_ring +
-                                        ring];
+    return &builder->stacks->rings
+                .data[builder->stacks->list.data[builder->stack].first_ring + ring];
 }
 
 static uint32_t leaf_of(const struct builder *builder, const struct rim *rim)
@@ -134,8 +134,8 @@ static bool is_steep(const struct builder *builder, const double plane[4])
 static void put_plane(const struct builder *builder, const double from[4], double to[4])
 {
     const struct csg_screen *screen = &builder->terms->frame->screen;
-    const double size = fabs(from[0]) + fabs(from[1]) * screen->width +
-                        fabs(from[2]) * screen->height;
+    const double size =
+        fabs(from[0]) + fabs(from[1]) * screen->width + fabs(from[2]) * screen->height;
     const bool steep = is_steep(builder, from);
     for (int i = 0; i < 3; i++)
         to[i] = steep ? from[i] * (CSG_PLANE_KEY_MAX / size) : from[i];
@@ -163,8 +163,8 @@ static bool add_circle(struct builder *builder, const struct rim *rim)
         make_constant(&circle, csg_terms_texel(terms, csg_terms_of(terms, leaf), 2));
     else
         csg_screen_section(&terms->frame->screen, terms->frame->at,
-                           csg_carrier_quadric(terms->scene, carriers, face.carrier),
-                           face.flipped, plane, circle.conic);
+                           csg_carrier_quadric(terms->scene, carriers, face.carrier), face.flipped,
+                           plane, circle.conic);
     return csg_array_push(&builder->bands->circles, circle);
 }
 
@@ -323,8 +323,8 @@ static bool add_ring(struct builder *builder, uint32_t ring, bool *starts)
         !add_curved(builder, ring, leaves.inner, true))
         return false;
     const struct csg_band *bands = builder->bands->bands.data + first;
-    *starts |= starts_within(&bands[0]) &&
-               (leaves.inner == CSG_NO_LEAF || !starts_within(&bands[1]));
+    *starts |=
+        starts_within(&bands[0]) && (leaves.inner == CSG_NO_LEAF || !starts_within(&bands[1]));
     return true;
 }
 

@@ -81,8 +81,8 @@ bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *ob
     double spared = INFINITY;
     *cells = NULL;
     const bool is_small = use == CSG_CELLS_WHERE_BETTER && terms->leaves.num < MIN_CELL_LEAVES;
-    if (use == CSG_CELLS_NEVER || is_small || draw->object == CSG_WHOLE_LAYER ||
-        draw->around_eye || draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
+    if (use == CSG_CELLS_NEVER || is_small || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
+        draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
         return true;
     if (use == CSG_CELLS_WHERE_BETTER && !find_spared(terms, object, rect, draw, &spared))
         return false;

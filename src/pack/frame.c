@@ -147,8 +147,8 @@ static struct csg_rect squared(const struct packer *packer, const struct csg_rec
         size[i] = floor(rect->hi[i] + 0.5) - square.lo[i];
         side = fmax(side, size[i]);
     }
-    if (!has_many(packer) ||
-        side * side - size[0] * size[1] > MAX_SPARE_PIXELS || side > fmin(sizes[0], sizes[1]))
+    if (!has_many(packer) || side * side - size[0] * size[1] > MAX_SPARE_PIXELS ||
+        side > fmin(sizes[0], sizes[1]))
         return *rect;
     for (int i = 0; i < 2; i++) {
         square.lo[i] = fmin(square.lo[i], sizes[i] - side);

@@ -55,7 +55,7 @@ struct csg_frame {
         const struct csg_cells *cells; /* of the scene, alive as long as that */
         size_t first;                  /* texel in the texture of all cells */
     })
-    cells; /* of the draws that walk */
+    cells;                                      /* of the draws that walk */
     CSG_ARRAY(struct csg_precision) precisions; /* by object, of the listed ones */
     size_t proxy_pixels;
     size_t solid_tests; /* see csgcast_stats */
@@ -86,8 +86,8 @@ struct csg_frame_params {
                         size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
     enum csg_cells_use cells; /* what is drawn in cells */
-    bool crowds;     /* single solids are drawn as crowd/crowd.h has them, */
-    size_t max_owners; /* ... with a picture of owners of at most so many pixels */
+    bool crowds;              /* single solids are drawn as crowd/crowd.h has them, */
+    size_t max_owners;        /* ... with a picture of owners of at most so many pixels */
 };
 
 /* The index of draws that stand for a whole layer instead of one object. */

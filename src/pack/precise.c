@@ -50,13 +50,15 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
         const uint32_t color = marks->leaves ? leaf + 2 : color_of(&marks->scene->leaves[leaf]);
         for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
             found |= carriers->faces[j].carrier != CSG_NO_CARRIER &&
-                     visit_face(marks, 2 * (size_t)carriers->faces[j].carrier +
-                                           (carriers->faces[j].flipped != nodes[i].negated),
+                     visit_face(marks,
+                                2 * (size_t)carriers->faces[j].carrier +
+                                    (carriers->faces[j].flipped != nodes[i].negated),
                                 color, mark);
         const struct csg_face face = carriers->quadric_faces[leaf];
         if (face.carrier != CSG_NO_CARRIER)
-            found |= visit_face(marks, 2 * (carriers->num_planes + face.carrier) +
-                                           (face.flipped != nodes[i].negated),
+            found |= visit_face(marks,
+                                2 * (carriers->num_planes + face.carrier) +
+                                    (face.flipped != nodes[i].negated),
                                 color, mark);
     }
     return found;

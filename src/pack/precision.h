@@ -17,10 +17,10 @@ enum csg_reason {
     CSG_REASON_ANGLE = CSG_FINE_ANGLE,
     CSG_REASON_GAP = CSG_FINE_GAP,
     CSG_REASON_VIEW = CSG_NUM_FINE, /* the picture shows a part that small */
-    CSG_REASON_DEPTH, /* the eye is close to a surface that reaches far */
-    CSG_REASON_STIFF, /* rays nearly along a quadric, or the eye close to it */
-    CSG_REASON_SHARED, /* shares a surface with another object that needs it */
-    CSG_REASON_ASKED, /* --variant=double */
+    CSG_REASON_DEPTH,               /* the eye is close to a surface that reaches far */
+    CSG_REASON_STIFF,               /* rays nearly along a quadric, or the eye close to it */
+    CSG_REASON_SHARED,              /* shares a surface with another object that needs it */
+    CSG_REASON_ASKED,               /* --variant=double */
     CSG_NUM_REASONS
 };
 

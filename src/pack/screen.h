@@ -25,15 +25,15 @@
 struct csg_screen {
     int width, height;
     bool orthographic;
-    bool textbook;       /* keys are t: pack/textbook.h */
+    bool textbook;                                         /* keys are t: pack/textbook.h */
     struct csg_vec3 origin, origin_dx, origin_dy;          /* ray origin; steps per pixel */
     struct csg_vec3 direction, direction_dx, direction_dy; /* at pixel coordinates (0, 0) */
     struct csg_vec3 forward;
-    double a, b;         /* perspective: k = a - b / t; orthographic: k = t - a, b = 1 */
-    double scale;        /* of the homogeneous coordinates, so that they are near 1 */
-    double k_far;        /* key at t = infinity; larger keys are behind the eye */
-    double near;         /* t at which rays start, see csg_eye_near; orthographic: none */
-    float depth[4];      /* see csg_screen_depth in shaders/common/screen.glsl */
+    double a, b;    /* perspective: k = a - b / t; orthographic: k = t - a, b = 1 */
+    double scale;   /* of the homogeneous coordinates, so that they are near 1 */
+    double k_far;   /* key at t = infinity; larger keys are behind the eye */
+    double near;    /* t at which rays start, see csg_eye_near; orthographic: none */
+    float depth[4]; /* see csg_screen_depth in shaders/common/screen.glsl */
 };
 
 /* The pixel around which an object's terms are written. GL's pixels: y upwards, centres at .5. */

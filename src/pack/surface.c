@@ -126,9 +126,8 @@ static void set_near(struct csg_surface_view *view, const struct csg_screen *scr
     view->tnear = screen->orthographic ? -INFINITY : NEAR_SHARE * (radius + distance);
     view->slack =
         SLACK_ROUNDINGS * shape->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
-    view->turns = screen->orthographic
-                      ? 0
-                      : csg_surface_winding(view->surface, &view->place, screen->origin);
+    view->turns =
+        screen->orthographic ? 0 : csg_surface_winding(view->surface, &view->place, screen->origin);
 }
 
 bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,

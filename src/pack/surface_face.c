@@ -61,7 +61,8 @@ static bool is_thin(double (*polygon)[2], int num)
     return !(fabs(area) > THIN * longest);
 }
 
-struct csg_plane csg_view_face_carrier(const struct csg_surface_part *part, uint32_t triangle, bool *flipped)
+struct csg_plane csg_view_face_carrier(const struct csg_surface_part *part, uint32_t triangle,
+                                       bool *flipped)
 {
     const struct csg_surface_view *view = part->view;
     return csg_carrier_of_face(part->terms->scene, view->leaf,

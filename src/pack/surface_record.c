@@ -33,7 +33,8 @@ enum side { BESIDE, COVERS, CUTS };
 
 /* What an edge is to a cell: to the left of it or in other rows; to the right of all of it; or the
  * shader has to ask. */
-static enum side side_of(const struct record *record, const struct csg_view_edge *edge, int column, int row)
+static enum side side_of(const struct record *record, const struct csg_view_edge *edge, int column,
+                         int row)
 {
     const int left = column * record->cell, bottom = row * record->cell;
     const int top =
@@ -185,7 +186,8 @@ static double cost_of(const struct record *record, const struct extent *extents,
 
 static bool choose_cells(struct record *record)
 {
-    const int larger = record->part.size[0] > record->part.size[1] ? record->part.size[0] : record->part.size[1];
+    const int larger =
+        record->part.size[0] > record->part.size[1] ? record->part.size[0] : record->part.size[1];
     struct extent *extents = malloc((record->faces.num + 1) * sizeof *extents);
     if (!extents)
         return false;
@@ -333,9 +335,9 @@ bool csg_surface_add_record(struct csg_terms *terms, const struct csg_step *step
                                      .view = csg_terms_view(terms, step->leaf),
                                      .size = {hi[0] - lo[0], hi[1] - lo[1]},
                                      .lo = {lo[0] - at.x, lo[1] - at.y}}};
-    const struct csg_view_rect rect = {
-        {record.part.lo[0] + 0.5, record.part.lo[1] + 0.5},
-        {record.part.lo[0] + record.part.size[0] - 0.5, record.part.lo[1] + record.part.size[1] - 0.5}};
+    const struct csg_view_rect rect = {{record.part.lo[0] + 0.5, record.part.lo[1] + 0.5},
+                                       {record.part.lo[0] + record.part.size[0] - 0.5,
+                                        record.part.lo[1] + record.part.size[1] - 0.5}};
     struct csg_view_list list = {0};
     const bool ok = csg_surface_view_list(record.part.view, &rect, &list) &&
                     fill_record(&record, &list) && put_record(&record, step);

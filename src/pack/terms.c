@@ -116,10 +116,9 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
         center = csg_scale(0.5, csg_add(box->lo, box->hi));
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
-    csg_screen_quadric(&frame->screen, frame->at,
-                       csg_carrier_quadric(scene, carriers, face.carrier), face.flipped,
-                       scene->leaves[leaf].shape.convex, carriers->sheets[leaf], center, radius,
-                       texels);
+    csg_screen_quadric(
+        &frame->screen, frame->at, csg_carrier_quadric(scene, carriers, face.carrier), face.flipped,
+        scene->leaves[leaf].shape.convex, carriers->sheets[leaf], center, radius, texels);
     if (base)
         csg_screen_base(&frame->screen, (const double(*)[4])texels, center, radius, base);
 }
@@ -143,8 +142,8 @@ static void note_stiff(const struct csg_terms *terms, const struct csg_rect *rec
     notes->stiff = true;
     if (terms->precise)
         return;
-    csg_depth_range(
-        screen, csg_carrier_quadric_box(terms->scene, terms->scene->carriers, carrier), depth);
+    csg_depth_range(screen, csg_carrier_quadric_box(terms->scene, terms->scene->carriers, carrier),
+                    depth);
     const double error = csg_quadric_error(screen, terms->frame->at, rect, depth, texels);
     if (error <= notes->error)
         return;
@@ -228,9 +227,8 @@ static bool place_leaf(struct csg_terms *terms, const struct csg_node *node)
     const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
     const size_t padding = block * 4 - terms->frame->texels.num / 4;
-    struct csg_leaf_terms leaf = {.texels = terms->texels.num / 4,
-                                  .num_entries = num_planes,
-                                  .attributes = block};
+    struct csg_leaf_terms leaf = {
+        .texels = terms->texels.num / 4, .num_entries = num_planes, .attributes = block};
     if (!csg_frame_add_texels(terms->frame,
                               padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes) ||
         !csg_array_reserve(&terms->texels, 4 * num_texels) ||
@@ -243,8 +241,7 @@ static bool place_leaf(struct csg_terms *terms, const struct csg_node *node)
 
 /* Fills the room of a leaf. */
 static void fill_leaf(const struct csg_terms *terms, const struct csg_object *object,
-                      const struct csg_node *node, const struct csg_rect *rect,
-                      struct notes *notes)
+                      const struct csg_node *node, const struct csg_rect *rect, struct notes *notes)
 {
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
@@ -324,9 +321,9 @@ static bool add_stacks(struct csg_terms *terms, const struct csg_object *object)
     bool ok = csg_stacks_find(&terms->stacks, terms->scene, object);
     for (size_t i = 0; i < terms->stacks.list.num && ok; i++) {
         terms->index[terms->scene->num_leaves + i] = (uint32_t)terms->leaves.num;
-        ok = csg_array_push(&terms->leaves, ((struct csg_leaf_terms){
-                                                .flags = CSG_RECORD_SURFACE | CSG_RECORD_BANDS,
-                                                .carrier = CSG_NO_CARRIER}));
+        ok = csg_array_push(&terms->leaves,
+                            ((struct csg_leaf_terms){.flags = CSG_RECORD_SURFACE | CSG_RECORD_BANDS,
+                                                     .carrier = CSG_NO_CARRIER}));
     }
     return ok && csg_bands_fill(&terms->bands, terms, &terms->stacks);
 }

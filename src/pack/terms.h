@@ -11,10 +11,10 @@
 struct csg_leaf_terms {
     size_t texels; /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
-    uint32_t flags;    /* CSG_RECORD_NEGATED, _SURFACE, _BANDS, _QUADRIC, _GAP of the leaf */
-    uint32_t carrier;  /* of its quadric, CSG_NO_CARRIER: none */
-    uint32_t view;     /* of a surface: in csg_terms.views */
-    size_t attributes; /* attribute block / 4, in the frame's texels */
+    uint32_t flags;       /* CSG_RECORD_NEGATED, _SURFACE, _BANDS, _QUADRIC, _GAP of the leaf */
+    uint32_t carrier;     /* of its quadric, CSG_NO_CARRIER: none */
+    uint32_t view;        /* of a surface: in csg_terms.views */
+    size_t attributes;    /* attribute block / 4, in the frame's texels */
     struct csg_rect rect; /* in pixels: no ray outside of it meets the leaf */
 };
 

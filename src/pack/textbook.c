@@ -23,8 +23,8 @@ static struct form form_of(const struct csg_quadric *quadric)
     struct form form = {.q = csg_map_transposed(map, half_gradient),
                         .r = csg_quadric_value(quadric, csg_vec3(0, 0, 0))};
     for (int i = 0; i < 3; i++)
-        form.a[i] = csg_map_transposed(
-            map, scale_by_diag(quadric, csg_map_direction(map, units[i])));
+        form.a[i] =
+            csg_map_transposed(map, scale_by_diag(quadric, csg_map_direction(map, units[i])));
     return form;
 }
 
@@ -98,12 +98,12 @@ void csg_textbook_normal(const struct csg_quadric *quadric, float terms[4][3])
 struct csg_textbook_rays csg_textbook_rays(const struct csg_screen *screen, struct csg_pixel at)
 {
     struct csg_textbook_rays rays = {.start = screen->orthographic ? -CSG_KEY_MAX : 0};
-    const struct csg_vec3 origin = csg_add(
-        screen->origin,
-        csg_add(csg_scale(at.x, screen->origin_dx), csg_scale(at.y, screen->origin_dy)));
-    const struct csg_vec3 direction = csg_add(
-        screen->direction,
-        csg_add(csg_scale(at.x, screen->direction_dx), csg_scale(at.y, screen->direction_dy)));
+    const struct csg_vec3 origin =
+        csg_add(screen->origin,
+                csg_add(csg_scale(at.x, screen->origin_dx), csg_scale(at.y, screen->origin_dy)));
+    const struct csg_vec3 direction =
+        csg_add(screen->direction, csg_add(csg_scale(at.x, screen->direction_dx),
+                                           csg_scale(at.y, screen->direction_dy)));
     put_vector(rays.origin, origin);
     put_vector(rays.origin + 3, screen->origin_dx);
     put_vector(rays.origin + 6, screen->origin_dy);

@@ -134,7 +134,7 @@ bool csg_disc_hull(struct csg_part *part, const struct csg_part *from, bool *tak
     const struct basis basis = basis_of(&from->shapes.data[0]);
     ok = collect(from, &basis, &drawing, &all);
     if (ok && all)
-        ok = csg_drawing_hull(&drawing, 0) == CSG_SWEEP_DONE && 
+        ok = csg_drawing_hull(&drawing, 0) == CSG_SWEEP_DONE &&
              extrude(part, &basis, &drawing, largest_sagitta(from));
     *taken = ok && all;
     csg_drawing_finish(&drawing);

@@ -101,10 +101,9 @@ static bool add_side(struct cutter *cutter, const struct stack *stack, bool is_l
         const struct csg_vec2 corner = {csg_sweep_x(&cutter->sweep, edges[i], level),
                                         cutter->sweep.levels.data[level]};
         const bool is_new = i == 0 || edges[i] != edges[i - 1];
-        if (is_new &&
-            (!csg_array_push(&cutter->pieces->corners, corner) ||
-             !csg_array_push(&cutter->pieces->lines,
-                             edge_line(&cutter->sweep.edges.data[edges[i]], is_left))))
+        if (is_new && (!csg_array_push(&cutter->pieces->corners, corner) ||
+                       !csg_array_push(&cutter->pieces->lines,
+                                       edge_line(&cutter->sweep.edges.data[edges[i]], is_left))))
             return false;
     }
     const struct csg_vec2 top = {stack->high[is_left ? 0 : 1],

@@ -44,8 +44,8 @@ enum csg_prism_result csg_prism_surface(struct csg_shape *shape, const struct cs
     struct csg_mesh mesh = {.rounding = figure->rounding};
     enum csg_prism_result result = CSG_PRISM_NONE;
     if (lift->s0 == 1 && lift->s1 > 0)
-        result = copy_figure(&copy, drawing, figure) ? fill(&mesh, &copy, lift)
-                                                     : CSG_PRISM_NO_MEMORY;
+        result =
+            copy_figure(&copy, drawing, figure) ? fill(&mesh, &copy, lift) : CSG_PRISM_NO_MEMORY;
     if (result == CSG_PRISM_DONE && !csg_mesh_to_shape(&mesh, false, shape))
         result = CSG_PRISM_NO_MEMORY;
     if (result == CSG_PRISM_DONE)

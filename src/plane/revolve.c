@@ -217,8 +217,8 @@ static bool add_frustum(struct lathe *lathe, const struct sector *sector,
         ok = csg_lift_add_caps(radius, &shape) && add_facets(&shape, sector, radius);
     } else {
         ok = csg_disc_fill(&shape, &disc, &lift);
-        shape.sagitta = csg_facets_sagitta(
-            360 * lathe->turn->num / fabs(lathe->turn->angle), largest);
+        shape.sagitta =
+            csg_facets_sagitta(360 * lathe->turn->num / fabs(lathe->turn->angle), largest);
         shape.radii[0] = sector->all_round ? radius->s0 : 0;
         shape.radii[1] = sector->all_round ? radius->s1 : 0;
     }

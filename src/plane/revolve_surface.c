@@ -17,8 +17,8 @@ struct turner {
     const struct csg_figure *figure;
     const struct csg_turn *turn;
     double snap, from;
-    uint32_t begin, num_corners;  /* of the drawing's points */
-    uint32_t num_columns;         /* of points; all round the first is also the last */
+    uint32_t begin, num_corners; /* of the drawing's points */
+    uint32_t num_columns;        /* of points; all round the first is also the last */
     bool all_round;
     CSG_ARRAY(uint32_t) first; /* point of each corner in the first column */
 };

@@ -34,8 +34,8 @@ static bool add_face(const struct csg_mesh *mesh, const struct csg_mesh_face *fa
         plane = flat_plane(mesh, face);
     bool ok = csg_array_push(&surface->planes, plane);
     for (uint32_t i = face->begin + 1; i + 1 < face->end && ok; i++) {
-        const struct csg_triangle triangle = {
-            {corners[face->begin], corners[i], corners[i + 1]}, (uint32_t)surface->planes.num - 1};
+        const struct csg_triangle triangle = {{corners[face->begin], corners[i], corners[i + 1]},
+                                              (uint32_t)surface->planes.num - 1};
         ok = csg_array_push(&surface->triangles, triangle);
     }
     return ok;

@@ -120,9 +120,8 @@ bool csg_tree_bounds_init(struct csg_tree_bounds *bounds, const struct csgcast_s
         for (size_t i = tree->num; i-- > 0;) {
             const struct csg_node *node = &tree->data[i];
             bounds->nodes[layer][i] =
-                node->op == CSG_LEAF
-                    ? leaf_node(scene, node, rounding)
-                    : inner_node(tree->data, bounds->nodes[layer], (uint32_t)i);
+                node->op == CSG_LEAF ? leaf_node(scene, node, rounding)
+                                     : inner_node(tree->data, bounds->nodes[layer], (uint32_t)i);
         }
         if (!add_crowds(bounds, tree, layer))
             return false;

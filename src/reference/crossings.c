@@ -38,8 +38,8 @@ static int cross_quadric(const struct csg_quadric *quadric, const struct csg_ray
     p = csg_add(p, csg_scale(shift, d));
     const double a = q[0] * d.x * d.x + q[1] * d.y * d.y + q[2] * d.z * d.z;
     const double b = q[0] * p.x * d.x + q[1] * p.y * d.y + q[2] * p.z * d.z + quadric->linear * d.z;
-    const double c = q[0] * p.x * p.x + q[1] * p.y * p.y + q[2] * p.z * p.z +
-                     2 * quadric->linear * p.z + q[3];
+    const double c =
+        q[0] * p.x * p.x + q[1] * p.y * p.y + q[2] * p.z * p.z + 2 * quadric->linear * p.z + q[3];
     const double disc = b * b - a * c;
     if (a == 0 && b == 0) {
         *before = c < 0;
@@ -110,8 +110,8 @@ struct csg_leaf_crossings csg_cross_leaf(const struct csgcast_scene *scene, uint
     }
     double t[2] = {0, 0};
     bool inside;
-    const int num = cross_quadric(csg_carrier_quadric(scene, scene->carriers, face.carrier), ray, t,
-                                  &inside);
+    const int num =
+        cross_quadric(csg_carrier_quadric(scene, scene->carriers, face.carrier), ray, t, &inside);
     inside = inside != face.flipped;
     double from = -INFINITY;
     for (int i = 0; i <= num; i++, inside = !inside) {
@@ -151,8 +151,8 @@ struct csg_vec3 csg_leaf_normal(const struct csgcast_scene *scene, uint32_t leaf
         if (fabs(roots[i] - t) < nearest) {
             nearest = fabs(roots[i] - t);
             const struct csg_vec3 at = csg_add(ray->org, csg_scale(t, ray->dir));
-            normal = csg_normalize(csg_scale(face.flipped ? -1 : 1,
-                                             csg_quadric_gradient(quadric, at)));
+            normal =
+                csg_normalize(csg_scale(face.flipped ? -1 : 1, csg_quadric_gradient(quadric, at)));
         }
     return normal;
 }

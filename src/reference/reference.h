@@ -18,7 +18,7 @@ struct csg_ray {
 struct csg_hit {
     double t;
     uint32_t leaf;
-    bool cut;               /* the leaf is subtracted here */
+    bool cut; /* the leaf is subtracted here */
     uint8_t layer;
     struct csg_vec3 normal; /* unit, out of the solid */
 };

@@ -13,7 +13,7 @@ struct job {
     const struct csg_reference_part *part;
     const struct csgcast_image *image;
     const struct csg_tree_bounds *bounds; /* may be NULL */
-    double near;                 /* where rays start */
+    double near;                          /* where rays start */
     atomic_bool failed;
 };
 
@@ -86,9 +86,8 @@ static void overlay(const struct job *job, uint8_t layer, const struct csg_ray *
 static double near_of(const struct csgcast_scene *scene, const struct csg_reference_params *params)
 {
     const double *eye = params->frustum->eye;
-    return params->frustum->orthographic
-               ? -INFINITY
-               : csg_eye_near(scene, csg_vec3(eye[0], eye[1], eye[2]));
+    return params->frustum->orthographic ? -INFINITY
+                                         : csg_eye_near(scene, csg_vec3(eye[0], eye[1], eye[2]));
 }
 
 /* Behind a translucent surface the reference shows the background. *failed: out of memory. */

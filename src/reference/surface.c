@@ -43,11 +43,9 @@ bool csg_cross_surface(const struct csgcast_scene *scene, uint32_t leaf, const s
         const struct csg_meeting *meeting = &crossings->meetings.data[i];
         const uint32_t face = surface->triangles.data[meeting->triangle].plane;
         bool flipped;
-        const struct csg_plane plane =
-            csg_carrier_of_face(scene, leaf, face, &inverse, &flipped);
+        const struct csg_plane plane = csg_carrier_of_face(scene, leaf, face, &inverse, &flipped);
         const double t = crossing_of(&plane, ray, meeting);
-        if (!csg_array_push(crossings,
-                            ((struct csg_surface_crossing){t, face, meeting->turns})))
+        if (!csg_array_push(crossings, ((struct csg_surface_crossing){t, face, meeting->turns})))
             return false;
     }
     if (crossings->num > 1)

@@ -105,9 +105,8 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
 {
     const bool overflowed =
         request->resolver == CSG_RESOLVER_ALGORITHM4 && choice->resolver == CSG_RESOLVER_LOOP;
-    const bool may_loop =
-        choice->rear || (choice->resolver != CSG_RESOLVER_STRAIGHT &&
-                         choice->resolver != CSG_RESOLVER_CHAIN);
+    const bool may_loop = choice->rear || (choice->resolver != CSG_RESOLVER_STRAIGHT &&
+                                           choice->resolver != CSG_RESOLVER_CHAIN);
     renderer->stats.overflowed_objects += overflowed && is_first;
     batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU;
     if (!may_loop)

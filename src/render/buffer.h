@@ -8,8 +8,8 @@
 
 struct csg_buffer {
     GLuint id;
-    size_t bytes;    /* its size */
-    char *copy;      /* of what it holds; NULL: nobody knows */
+    size_t bytes; /* its size */
+    char *copy;   /* of what it holds; NULL: nobody knows */
     size_t num_copied;
 };
 

@@ -48,9 +48,8 @@ bool csg_draws_whole(size_t object, double area, const void *user)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
-    return csg_structure_is_small(&structure) &&
-           (!csg_chooser_may_tile(request, &structure) ||
-            (double)structure.num * area <= MAX_STEP_PIXELS);
+    return csg_structure_is_small(&structure) && (!csg_chooser_may_tile(request, &structure) ||
+                                                  (double)structure.num * area <= MAX_STEP_PIXELS);
 }
 
 /* Straight-line code takes half of the planes of paired leaves for exits, as they always are but

@@ -87,8 +87,7 @@ bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_requ
 {
     const struct csgcast_image *image = request->image;
     const struct csg_frame *frame = &renderer->frame;
-    if (!image->rgba8 || image->rgba || image->z || image->normal || image->id ||
-        request->textbook)
+    if (!image->rgba8 || image->rgba || image->z || image->normal || image->id || request->textbook)
         return false;
     for (size_t i = 0; i < frame->draws.num; i++)
         if (!is_opaque(&frame->draws.data[i]))

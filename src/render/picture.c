@@ -95,11 +95,11 @@ static bool prepare_shading(struct csg_picture *picture)
     csg_bound_draws(&picture->renderer->frame, picture->rect);
     if (picture->batches.direct)
         return true;
-    picture->shade = csg_programs_get(
-        &picture->renderer->programs,
-        csg_source_shade(picture->want_leaf, picture->bytes,
-                         (picture->request->textbook ? CSG_FEATURE_TEXTBOOK : 0) |
-                             (picture->request->shared ? CSG_FEATURE_SHARED : 0)));
+    picture->shade =
+        csg_programs_get(&picture->renderer->programs,
+                         csg_source_shade(picture->want_leaf, picture->bytes,
+                                          (picture->request->textbook ? CSG_FEATURE_TEXTBOOK : 0) |
+                                              (picture->request->shared ? CSG_FEATURE_SHARED : 0)));
     return picture->shade != 0;
 }
 
@@ -157,10 +157,9 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
     picture.batches.direct = csg_draws_directly(renderer, request);
-    const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
-                    prepare_shading(&picture) &&
-                    csg_upload_frame(renderer, request->scene->keeps_structure) &&
-                    draw_bands(&picture);
+    const bool ok =
+        csg_batches_fill(&picture.batches, renderer, request) && prepare_shading(&picture) &&
+        csg_upload_frame(renderer, request->scene->keeps_structure) && draw_bands(&picture);
     csg_picture_count(&picture);
     free(picture.batches.data);
     return ok;
@@ -170,8 +169,12 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
 {
     const struct csg_request request = {
         .scheme = csg_colorscheme_find(NULL), .width = 1, .height = 1, .resolver = -1};
-    struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = &request,
-                                  .num_rows = 1, .bytes = true, .rect = {-1, -1, 1, 1}};
+    struct csg_picture picture = {.renderer = renderer,
+                                  .gl = renderer->gl,
+                                  .request = &request,
+                                  .num_rows = 1,
+                                  .bytes = true,
+                                  .rect = {-1, -1, 1, 1}};
     const struct csg_targets_use use = {.bytes = true};
     if (!csg_gl_enter(renderer->gl))
         return;

@@ -132,9 +132,10 @@ GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
     const double start = csg_clock_ms();
     GLuint id = link_program(programs->gl, stages.vertex, stages.fragment);
     programs->compile_ms += csg_clock_ms() - start;
-    const struct csg_compiled compiled = {
-        .id = id, .uniforms = id ? find_uniforms(programs->gl, id) : (struct csg_uniforms){0},
-        .stages = stages};
+    const struct csg_compiled compiled = {.id = id,
+                                          .uniforms = id ? find_uniforms(programs->gl, id)
+                                                         : (struct csg_uniforms){0},
+                                          .stages = stages};
     if (id && csg_array_push(&programs->compiled, compiled))
         return id;
     if (id)

@@ -15,8 +15,8 @@ struct csg_uniforms {
 struct csg_compiled {
     GLuint id;
     struct csg_uniforms uniforms;
-    uint64_t round; /* in which its uniforms were set */
-    uint32_t name;  /* of csg_programs_note; 0: none */
+    uint64_t round;           /* in which its uniforms were set */
+    uint32_t name;            /* of csg_programs_note; 0: none */
     struct csg_stages stages; /* the key */
 };
 

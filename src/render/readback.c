@@ -92,8 +92,8 @@ static void read_bytes(const struct csg_picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     const size_t stride = 4 * (size_t)picture->request->width;
-    uint8_t *rows = picture->request->image->rgba8 +
-                    stride * image_row(picture, picture->num_rows - 1);
+    uint8_t *rows =
+        picture->request->image->rgba8 + stride * image_row(picture, picture->num_rows - 1);
     gl->BindFramebuffer(GL_FRAMEBUFFER, picture->renderer->targets.bytes_fbo);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);

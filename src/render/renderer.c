@@ -128,8 +128,7 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     request->scheme = csg_colorscheme_find(view->colorscheme);
     request->textbook = view->variant && strcmp(view->variant, CSG_TEXTBOOK_NAME) == 0;
     request->shared = view->variant && strcmp(view->variant, CSG_SHARED_NAME) == 0;
-    request->resolver =
-        find_resolver(request->textbook || request->shared ? NULL : view->variant);
+    request->resolver = find_resolver(request->textbook || request->shared ? NULL : view->variant);
     if (!request->scheme)
         return argument_error(renderer, "colour scheme", view->colorscheme);
     if (request->resolver == CSG_NUM_RESOLVERS)
@@ -137,7 +136,8 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     if (request->resolver == CSG_RESOLVER_DOUBLE && renderer->gl && !renderer->gl->has_double) {
         csg_log_error(&renderer->log, CSGCAST_MESSAGE_ARGUMENT,
                       "variant 'double' needs GL_ARB_gpu_shader_fp64, which %s does not have: use "
-                      "--backend=reference", renderer->gl->name);
+                      "--backend=reference",
+                      renderer->gl->name);
         return false;
     }
     if (request->textbook && has_surface(request->scene)) {
@@ -161,8 +161,8 @@ static void count_hits(struct csgcast_renderer *renderer, const struct csg_reque
     if (!renderer->stats.has_hit_pixels)
         return;
     for (size_t i = 0; i < num; i++)
-        renderer->stats.hit_pixels += (image->id && image->id[i] >= 0) ||
-                                      (!image->id && image->z && image->z[i] < INFINITY);
+        renderer->stats.hit_pixels +=
+            (image->id && image->id[i] >= 0) || (!image->id && image->z && image->z[i] < INFINITY);
 }
 
 static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_request *request)
@@ -210,15 +210,16 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
     if (!renderer || !scene || !is_ready(renderer))
         return false;
     const double start = csg_clock_ms();
-    struct csg_request request = {.scene = scene, .view = view ? view : &default_view,
+    struct csg_request request = {.scene = scene,
+                                  .view = view ? view : &default_view,
                                   .tile_size = renderer->tile_size,
                                   .image = image ? image : &no_image};
     if (!resolve_request(renderer, &request))
         return false;
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
-    const struct csg_reference_params params = {
-        &request.frustum, request.width, request.height, request.scheme,
-        request.view->cut_color, renderer->num_threads};
+    const struct csg_reference_params params = {&request.frustum,        request.width,
+                                                request.height,          request.scheme,
+                                                request.view->cut_color, renderer->num_threads};
     const struct csg_reference_part whole = {.num_rows = request.height};
     const bool by_gl = renderer->gl && is_within_float(&request);
     const bool ok = by_gl ? render_with_gl(renderer, &request)

@@ -28,11 +28,11 @@ struct csgcast_renderer {
     struct csg_targets targets;
     GLuint data_texture;
     struct csg_buffer data_buffer; /* its texels */
-    GLuint owners_texture; /* a crowd's owners of pixels */
+    GLuint owners_texture;         /* a crowd's owners of pixels */
     struct csg_buffer owners_buffer;
     struct csg_resident_cells cells;
     int num_threads; /* see csg_parallel */
-    int tile_size; /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
+    int tile_size;   /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     GLuint vertex_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;
     const struct csgcast_scene *thin_scene; /* an edited scene, and what is_thin said of it first */
@@ -48,7 +48,7 @@ struct csg_request {
     struct csgcast_frustum frustum;
     const struct csg_colorscheme *scheme;
     int width, height;
-    int resolver; /* enum csg_resolver, or -1 for the best */
+    int resolver;  /* enum csg_resolver, or -1 for the best */
     bool textbook; /* crossings as textbooks have them */
     bool shared;   /* no straight-line programs but those of single solids */
     int tile_size; /* as in csg_frame_params */
@@ -70,8 +70,8 @@ struct csg_batch {
     GLuint rear; /* draws the far sides; 0 where they do not show */
     uint8_t layer, paint;
     bool translucent;
-    bool points;     /* instances are squares, each drawn as one */
-    uint32_t object; /* of the first instance; of all where they are not simply opaque */
+    bool points;         /* instances are squares, each drawn as one */
+    uint32_t object;     /* of the first instance; of all where they are not simply opaque */
     uint32_t first, num; /* instances */
     const struct csg_crowd_run *run; /* NULL: other objects than a crowd's */
 };
@@ -80,7 +80,7 @@ struct csg_batches {
     struct csg_batch *data;
     size_t num, capacity;
     size_t drawn[CSG_NUM_RESOLVERS];
-    size_t on_cpu;    /* objects in double without a driver that has it */
+    size_t on_cpu; /* objects in double without a driver that has it */
     size_t drawn_single;
     bool may_give_up; /* some program may run out of turns, see CSG_MAX_TURNS */
     bool direct;      /* set before: programs write colours, see render/direct.h */

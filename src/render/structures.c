@@ -8,7 +8,8 @@ static bool same_leaf_shape(const struct csgcast_scene *scene, uint32_t a, uint3
 }
 
 /* Same flags, planes and file order of the leaves: the same straight-line text. */
-static bool same_structure(const struct csg_structure *a, bool stiff, const struct csg_known_structure *b)
+static bool same_structure(const struct csg_structure *a, bool stiff,
+                           const struct csg_known_structure *b)
 {
     if (a->num != b->num || stiff != b->stiff)
         return false;

@@ -7,9 +7,9 @@
 #include "gl/context.h"
 
 struct csg_targets {
-    int width, height; /* of one band */
+    int width, height;                         /* of one band */
     GLuint geometry_fbo, shade_fbo, bytes_fbo; /* 0: not asked for yet, as all textures */
-    GLuint visible;  /* RG32UI: what shaders/passes/geometry.frag.glsl writes */
+    GLuint visible; /* RG32UI: what shaders/passes/geometry.frag.glsl writes */
     GLuint depth;
     GLuint color, geometry, leaf; /* RGBA32F; normal and distance RGBA32F; leaf index R32F */
     GLuint bytes;                 /* RGBA8: colour alone */

@@ -25,9 +25,9 @@ static bool is_unfinished(const void *user, int x, int y)
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,
                          const uint32_t *visible, int first_row, int num_rows)
 {
-    const struct csg_reference_params params = {&request->frustum, request->width, request->height,
-                                                request->scheme, request->view->cut_color,
-                                                renderer->num_threads};
+    const struct csg_reference_params params = {&request->frustum,        request->width,
+                                                request->height,          request->scheme,
+                                                request->view->cut_color, renderer->num_threads};
     const struct band band = {visible, request->image->rgba8, request->width,
                               request->height - first_row - num_rows, num_rows};
     const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band, true};

@@ -38,8 +38,8 @@ static bool upload_data(struct csgcast_renderer *renderer, bool keeps)
                       frame->texels.num / 4, max_texels);
         return false;
     }
-    renderer->stats.bytes_uploaded += csg_buffer_fill(
-        gl, GL_TEXTURE_BUFFER, &renderer->data_buffer, bytes, frame->texels.data, keeps);
+    renderer->stats.bytes_uploaded += csg_buffer_fill(gl, GL_TEXTURE_BUFFER, &renderer->data_buffer,
+                                                      bytes, frame->texels.data, keeps);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_BUFFER, renderer->data_texture);
     gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, renderer->data_buffer.id);
@@ -56,9 +56,8 @@ static bool upload_instances(struct csgcast_renderer *renderer, bool keeps)
         return csg_log_memory(&renderer->log);
     for (size_t i = 0; i < num; i++)
         instances[i] = renderer->frame.draws.data[i].instance;
-    renderer->stats.bytes_uploaded +=
-        csg_buffer_fill(gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances,
-                        instances, keeps);
+    renderer->stats.bytes_uploaded += csg_buffer_fill(
+        gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances, instances, keeps);
     free(instances);
     const struct csg_frame_crowd *crowd = &renderer->frame.crowd;
     const size_t crowd_bytes = crowd->runs.num ? crowd->instances.num * sizeof(float) : 0;

@@ -253,7 +253,8 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
     scene->num_threads = params->num_threads;
     builder.repeats = csg_repeats_create();
     bool done = csg_build_meanings(&builder) && csg_build_dimensions(&builder) &&
-                csg_build_marks(&builder) && csg_build_unsupported(&builder) && csg_build_leaves(&builder);
+                csg_build_marks(&builder) && csg_build_unsupported(&builder) &&
+                csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);

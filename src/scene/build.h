@@ -20,12 +20,12 @@
 
 /* What a node of the document is. */
 struct csg_meaning {
-    uint8_t role;       /* enum csg_role */
-    uint8_t kind;       /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
-    uint8_t dimension;  /* 2 or 3; 0: nothing in it says */
-    bool shows_marks;   /* # and % directly in it show, though it becomes one mesh */
+    uint8_t role;      /* enum csg_role */
+    uint8_t kind;      /* ROLE_SOLID, ROLE_COMPOUND: enum csg_kind */
+    uint8_t dimension; /* 2 or 3; 0: nothing in it says */
+    bool shows_marks;  /* # and % directly in it show, though it becomes one mesh */
     bool shows_background, shows_highlight; /* as a whole, in those layers, see marks.c */
-    bool holds_shown;   /* something in it is shown by itself */
+    bool holds_shown;                       /* something in it is shown by itself */
     bool is_idle;       /* read with a node around it, and only passed on the way to such a thing */
     bool is_handed_off; /* openscad has evaluated it: a COMPOUND or a FIGURE, see handoff.h */
     bool is_slab;       /* a drawing that no extrusion is around: csg_compound_slab draws it */
@@ -83,7 +83,7 @@ struct csg_builder {
     struct csg_text_state text;
     struct csg_clip_state clip;
     struct csg_xml_state xml;
-    struct csg_tree parts; /* the trees of the compounds, one behind the other */
+    struct csg_tree parts;       /* the trees of the compounds, one behind the other */
     struct csg_repeats *repeats; /* NULL: each compound is read by itself */
 };
 

@@ -13,7 +13,7 @@
 #include "common/file.h"
 
 struct csg_cache {
-    char *folder; /* absolute, without a / at its end; NULL: there is no cache */
+    char *folder;   /* absolute, without a / at its end; NULL: there is no cache */
     uint64_t limit; /* bytes */
 };
 

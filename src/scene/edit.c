@@ -12,7 +12,7 @@
 struct session {
     struct csgcast_scene *scene;
     CSG_ARRAY(struct csg_patch) patches;
-    bool moves; /* some edit changes more than a colour that lets nothing through */
+    bool moves;    /* some edit changes more than a colour that lets nothing through */
     bool regroups; /* a node of several solids becomes translucent, or opaque again */
 };
 
@@ -117,8 +117,7 @@ static bool add_to_leaf(struct session *session, const struct csgcast_edit *edit
         csg_patch_set_color(patch, edit->color);
     if (edit->matrix)
         csg_patch_set_matrix(patch, edit->matrix);
-    return !edit->parameters ||
-           csg_patch_set_parameters(patch, session->scene, edit->parameters);
+    return !edit->parameters || csg_patch_set_parameters(patch, session->scene, edit->parameters);
 }
 
 /* An edit of one of a node's leaves is one of all of them. */
@@ -164,8 +163,7 @@ static bool refinish(struct session *session, const uint32_t *leaves)
         return csg_log_memory(&session->scene->log);
     for (size_t i = 0; i < num; i++)
         shapes[i] = &session->patches.data[i].leaf.shape;
-    const bool ok =
-        csg_edits_refinish(session->scene, shapes, leaves, num, session->regroups);
+    const bool ok = csg_edits_refinish(session->scene, shapes, leaves, num, session->regroups);
     free(shapes);
     return ok;
 }

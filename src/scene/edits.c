@@ -40,13 +40,13 @@ struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
     if (scene->source->params.fixed) {
         csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT,
                       "%s: the scene was read as a fixed one (csgcast_scene_params), whose leaves "
-                      "are neither told nor edited", scene->name);
+                      "are neither told nor edited",
+                      scene->name);
         return NULL;
     }
     struct csg_edits *edits = calloc(1, sizeof *edits);
     uint32_t *patches = calloc(scene->num_leaves + 1, sizeof *patches);
-    struct csgcast_scene *raw =
-        edits && patches ? csg_scene_reread(scene, &edits->origins) : NULL;
+    struct csgcast_scene *raw = edits && patches ? csg_scene_reread(scene, &edits->origins) : NULL;
     if (!raw || raw->num_leaves != scene->num_leaves || !take_trees(edits, raw)) {
         csg_log_memory(&scene->log);
         free(patches);

@@ -8,8 +8,8 @@
 struct csg_edits {
     struct csg_origins origins;
     struct csg_tree trees[CSG_NUM_LAYERS]; /* simplified, but for what boxes show */
-    size_t num_dropped; /* solids of the text that have no leaf */
-    uint32_t *patches;  /* by leaf: its place + 1 among the patches of the call at hand, or 0 */
+    size_t num_dropped;                    /* solids of the text that have no leaf */
+    uint32_t *patches; /* by leaf: its place + 1 among the patches of the call at hand, or 0 */
 };
 
 /* The scene's edits; made from its text where there are none yet. NULL, with a message, when

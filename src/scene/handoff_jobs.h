@@ -25,7 +25,7 @@ struct csg_handoff_run {
     struct csg_report *report;
     struct csg_cache cache;
     struct csg_bytes version; /* what openscad says about itself */
-    uint64_t fonts; /* as csg_text_fonts, once it is asked for */
+    uint64_t fonts;           /* as csg_text_fonts, once it is asked for */
     bool fonts_known;
     char *program;
     struct csg_folder folder; /* for files in between */

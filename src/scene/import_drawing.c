@@ -36,8 +36,7 @@ static void warn(void *user, size_t line, const char *text)
 {
     struct source *source = user;
     if (source->num_warnings++ < max_warnings)
-        csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s", source->name, line,
-                         text);
+        csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s", source->name, line, text);
 }
 
 /* ---- DXF ------------------------------------------------------------------------------------ */
@@ -45,11 +44,10 @@ static void warn(void *user, size_t line, const char *text)
 static struct csg_dxf_params dxf_params(const struct csg_args *args, double scale)
 {
     const struct csg_value *layer = csg_args_find(args, "layer");
-    struct csg_dxf_params params = {.facets = csg_args_facets(args),
-                                    .layer = layer && layer->type == CSG_VALUE_STRING
-                                                 ? layer->string
-                                                 : "",
-                                    .scale = scale > 0 && isfinite(scale) ? scale : 1};
+    struct csg_dxf_params params = {
+        .facets = csg_args_facets(args),
+        .layer = layer && layer->type == CSG_VALUE_STRING ? layer->string : "",
+        .scale = scale > 0 && isfinite(scale) ? scale : 1};
     double origin[2];
     if (csg_value_numbers(csg_args_find(args, "origin"), 2, origin, NULL) && isfinite(origin[0]) &&
         isfinite(origin[1])) {
@@ -120,12 +118,11 @@ static bool unite(const struct source *source, uint32_t draw, struct csg_drawing
 static bool add_svg(struct source *source, struct csg_drawing *drawing)
 {
     struct csg_xml_error error = {0};
-    const struct csg_svg_params params = {.dpi = dpi_of(source->args),
-                                          .center = csg_args_bool(source->args, "center", false),
-                                          .xml = csg_import_xml(source->walk),
-                                          .clip = csg_clip_is_there(source->walk)
-                                                      ? source->walk->builder->clip.module
-                                                      : NULL};
+    const struct csg_svg_params params = {
+        .dpi = dpi_of(source->args),
+        .center = csg_args_bool(source->args, "center", false),
+        .xml = csg_import_xml(source->walk),
+        .clip = csg_clip_is_there(source->walk) ? source->walk->builder->clip.module : NULL};
     if (!params.xml || !params.clip) {
         csg_walk_unsupported(source->walk, source->node,
                              "import of SVG needs csgcast-xml.so and csgcast-clip.so; one is "

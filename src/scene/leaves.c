@@ -239,10 +239,9 @@ static bool read_compound(struct walk *walk, uint32_t node, const struct csg_spa
     const bool is_slab = walk->builder->meanings[node].is_slab;
     struct csg_part part = {0};
     struct csg_args args;
-    bool done = is_slab
-                    ? csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
-                          csg_compound_slab(&walk->base, node, &args, space->in_boolean, &part)
-                    : csg_repeats_read(&walk->base, node, ops, space->in_boolean, &part);
+    bool done = is_slab ? csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
+                              csg_compound_slab(&walk->base, node, &args, space->in_boolean, &part)
+                        : csg_repeats_read(&walk->base, node, ops, space->in_boolean, &part);
     if (done && part.is_too_large)
         csg_walk_unsupported(
             &walk->base, node,

@@ -36,8 +36,8 @@ struct csg_lexer {
     size_t at;         /* the next byte */
     size_t line_begin; /* of the current line */
     uint32_t line;
-    bool is_text_node; /* the next string may be one that OpenSCAD wrote without escapes */
-    size_t raw_end;    /* end of the next such string, once looked for */
+    bool is_text_node;   /* the next string may be one that OpenSCAD wrote without escapes */
+    size_t raw_end;      /* end of the next such string, once looked for */
     bool has_all_digits; /* numbers are as they stand, see scene/digits.h */
     size_t num_rounded;  /* numbers so far that may be rounded */
 };

@@ -144,11 +144,11 @@ bool csg_compound_linear_extrude(struct csg_walk *walk, uint32_t node, const str
     if (!isfinite(extrusion.v[0] + extrusion.v[1] + top) || !(top > 0))
         return true;
     const bool is_even = extrusion.twist == 0 && extrusion.scale[0] == extrusion.scale[1];
-    const bool ok = (extrusion.has_file
-                         ? csg_import_drawing(walk, node, args, extrusion.scale[0], &drawing)
-                         : csg_drawing_read(walk, node, in_boolean, &drawing)) &&
-                    (is_even ? extrude(walk, &extrusion, &drawing, z, part)
-                             : twist(walk, node, &extrusion, &drawing, z, part));
+    const bool ok =
+        (extrusion.has_file ? csg_import_drawing(walk, node, args, extrusion.scale[0], &drawing)
+                            : csg_drawing_read(walk, node, in_boolean, &drawing)) &&
+        (is_even ? extrude(walk, &extrusion, &drawing, z, part)
+                 : twist(walk, node, &extrusion, &drawing, z, part));
     for (size_t i = 0; i < part->shapes.num; i++)
         part->shapes.data[i].rounding += extrusion.rounding;
     lean(part, &extrusion);

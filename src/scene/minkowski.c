@@ -88,8 +88,8 @@ static bool add_surface(const struct csg_shape *shape, const struct csg_sets *b,
     for (size_t i = 0; i < b->convex.ends.num && ok; i++) {
         size_t num;
         const struct csg_vec3 *corners = corners_of(&b->convex, i, &num);
-        ok = add_moved(shape, corners[0], sum) &&
-             add_triangles(surface, corners, num, &sum->convex);
+        ok =
+            add_moved(shape, corners[0], sum) && add_triangles(surface, corners, num, &sum->convex);
     }
     csg_surface_destroy(surface);
     return ok;

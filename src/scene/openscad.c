@@ -20,8 +20,8 @@ struct run {
     const char *program;
     const struct csg_log *log;
     struct csg_flattened *flattened;
-    char *input;  /* absolute: openscad resolves -o beside its input file */
-    char *output; /* in the folder; the ending tells openscad the format */
+    char *input;     /* absolute: openscad resolves -o beside its input file */
+    char *output;    /* in the folder; the ending tells openscad the format */
     char frames[24]; /* how many, as text */
     struct csg_process process;
 };
@@ -212,8 +212,8 @@ bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *p
     struct run run = {.path = path, .program = csg_openscad_program(params), .log = log};
     run.flattened = flattened;
     flattened->num_frames = num_frames;
-    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) &&
-                      check(&run) && csg_flattened_find_fonts(flattened, params, log);
+    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) && check(&run) &&
+                      csg_flattened_find_fonts(flattened, params, log);
     finish(&run);
     return done;
 }

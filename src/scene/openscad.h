@@ -12,8 +12,8 @@ const char *csg_openscad_program(const struct csgcast_scene_params *params);
 /* What openscad has made of a .scad file: texts in a folder of our own. It starts as zeroes. */
 struct csg_flattened {
     struct csg_folder folder;
-    size_t num_frames; /* 0: one text, of no animation */
-    CSG_ARRAY(char *) fonts; /* of the parameters, and that the file uses */
+    size_t num_frames;                        /* 0: one text, of no animation */
+    CSG_ARRAY(char *) fonts;                  /* of the parameters, and that the file uses */
     CSG_ARRAY(struct csgcast_camera) cameras; /* that the file asks for, a text; may be fewer */
 };
 
@@ -28,8 +28,7 @@ bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *p
 
 /* Fills fonts, when openscad has run. false: a message was given. */
 bool csg_flattened_find_fonts(struct csg_flattened *flattened,
-                              const struct csgcast_scene_params *params,
-                              const struct csg_log *log);
+                              const struct csgcast_scene_params *params, const struct csg_log *log);
 
 /* The text of a frame; the caller frees text->data. false: a message was given. */
 bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,
@@ -46,8 +45,8 @@ void csg_flattened_finish(struct csg_flattened *flattened);
  * the work is just where it failed. Returns whether one of them means that the result is
  * incomplete. Leaves messages as they were.
  */
-bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix,
-                          struct csg_bytes *messages, bool failed);
+bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct csg_bytes *messages,
+                          bool failed);
 
 /* Whether text is anywhere in what openscad printed. */
 bool csg_openscad_mentions(const struct csg_bytes *messages, const char *text);

@@ -182,8 +182,7 @@ static void read_inner(void *user, size_t task)
     struct inner *inner = user;
     const struct csg_node_ops *ops = csg_walk_ops(inner->walk, inner->node);
     (void)task;
-    inner->ok =
-        csg_repeats_read(inner->walk, inner->node, ops, inner->in_boolean, &inner->part);
+    inner->ok = csg_repeats_read(inner->walk, inner->node, ops, inner->in_boolean, &inner->part);
 }
 
 static bool read_compound(struct reader *reader, uint32_t node)

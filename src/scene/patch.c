@@ -46,8 +46,7 @@ static double rounding_of(const struct csg_patch *patch, double number)
     char text[32];
     struct csg_number read;
     snprintf(text, sizeof text, "%.6g", fabs(number));
-    const bool is_short =
-        csg_number_read(text, strlen(text), &read) && read.value == fabs(number);
+    const bool is_short = csg_number_read(text, strlen(text), &read) && read.value == fabs(number);
     return is_short && !patch->has_all_digits ? (double)read.rounding : 0;
 }
 
@@ -76,8 +75,8 @@ static char *node_text(const char *name, const char *parameters, size_t *size)
 }
 
 /* Reads the solid from its node's text. */
-static bool read_solid(struct csg_patch *patch, const struct csgcast_scene *scene,
-                       const char *text, size_t size, struct csg_report *report)
+static bool read_solid(struct csg_patch *patch, const struct csgcast_scene *scene, const char *text,
+                       size_t size, struct csg_report *report)
 {
     const struct csg_solid_ops *ops = csg_solids[patch->leaf.kind];
     struct csg_arguments arguments = {0};

@@ -192,8 +192,8 @@ static bool read_and_judge(struct csg_walk *walk, uint32_t node, const struct cs
     const bool was_placed = walk->was_placed;
     walk->was_placed = false;
     const bool ok = read_compound(walk, node, ops, in_boolean, part);
-    *is_everywhere = count_reports(walk->builder) == reports &&
-                     (has_children(walk, node) || !walk->was_placed);
+    *is_everywhere =
+        count_reports(walk->builder) == reports && (has_children(walk, node) || !walk->was_placed);
     walk->was_placed |= was_placed;
     return ok;
 }

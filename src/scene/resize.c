@@ -41,8 +41,7 @@ static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean,
                             CSG_WANT_POINTS, facets);
     enum csg_hull_result result = CSG_HULL_DONE;
     if (ok)
-        result =
-            facets->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(facets, true, &clusters);
+        result = facets->is_too_large ? CSG_HULL_FLAT : csg_part_evaluate(facets, true, &clusters);
     for (size_t i = 0; i < clusters.corners.points.num; i++)
         csg_box_extend(&box, clusters.corners.points.data[i]);
     size[0] = box.hi.x - box.lo.x;

@@ -68,8 +68,8 @@ static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn
 }
 
 static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
-                    struct csg_drawing *drawing, const struct csg_profile *profile,
-                    double rounding, struct csg_part *part)
+                    struct csg_drawing *drawing, const struct csg_profile *profile, double rounding,
+                    struct csg_part *part)
 {
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
         csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,

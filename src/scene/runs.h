@@ -14,8 +14,8 @@
 
 struct csg_run {
     const char *text;
-    size_t size;       /* of all of the text */
-    size_t begin, end; /* bytes */
+    size_t size;                  /* of all of the text */
+    size_t begin, end;            /* bytes */
     struct csg_document document; /* places and nodes are counted from the beginning of the run */
     struct csg_twins twins;
     uint32_t num_lines; /* that end in it */

@@ -19,7 +19,7 @@ struct share {
     struct csg_builder builder; /* with a report and a scene of its own */
     struct csg_report report;
     struct csgcast_scene scene; /* its leaves are those of all shares, of which it fills some */
-    uint32_t begin, end; /* nodes */
+    uint32_t begin, end;        /* nodes */
     size_t first_leaf;
     bool ok;
 };

@@ -10,9 +10,9 @@
 struct csg_source {
     char *text; /* owned; NULL: of a fixed scene */
     size_t size;
-    struct csgcast_scene_params params; /* without what was for the .scad, and without log */
-    char *name, *directory, *openscad, *cache;  /* those of params, owned; NULL as there */
-    char **fonts; /* likewise */
+    struct csgcast_scene_params params;        /* without what was for the .scad, and without log */
+    char *name, *directory, *openscad, *cache; /* those of params, owned; NULL as there */
+    char **fonts;                              /* likewise */
 };
 
 /* Takes text over, also where it fails. NULL: out of memory. */

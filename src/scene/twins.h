@@ -13,12 +13,12 @@
 
 /* A node that was read. */
 struct csg_twin {
-    size_t at, length;       /* from its name to the ')' */
+    size_t at, length; /* from its name to the ')' */
     uint32_t node;
-    uint32_t num_lines;      /* that end within */
-    size_t line_begin;       /* of the last one of these, counted from at */
-    size_t num_rounded;      /* numbers in it that may be rounded */
-    uint32_t before;         /* the one before with the same beginning; UINT32_MAX: none */
+    uint32_t num_lines; /* that end within */
+    size_t line_begin;  /* of the last one of these, counted from at */
+    size_t num_rounded; /* numbers in it that may be rounded */
+    uint32_t before;    /* the one before with the same beginning; UINT32_MAX: none */
 };
 
 /* Zero-initialise it. */

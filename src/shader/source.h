@@ -32,14 +32,14 @@ extern const char *const csg_resolver_names[CSG_NUM_RESOLVERS];
 
 /* What a program must be able to do, besides its resolver. */
 enum csg_feature {
-    CSG_FEATURE_QUADRIC = 1, /* some leaf has a quadric */
-    CSG_FEATURE_GAP = 2,     /* some leaf is not convex */
-    CSG_FEATURE_STIFF = 4,   /* some quadric is stiff in this view, see src/pack/quadric.c */
-    CSG_FEATURE_DOUBLE = 8,  /* keys and terms in double: records hold low parts too */
+    CSG_FEATURE_QUADRIC = 1,  /* some leaf has a quadric */
+    CSG_FEATURE_GAP = 2,      /* some leaf is not convex */
+    CSG_FEATURE_STIFF = 4,    /* some quadric is stiff in this view, see src/pack/quadric.c */
+    CSG_FEATURE_DOUBLE = 8,   /* keys and terms in double: records hold low parts too */
     CSG_FEATURE_SURFACE = 16, /* some leaf is a surface of triangles */
-    CSG_FEATURE_NESTED = 32, /* cells: some of their trees are no chains */
+    CSG_FEATURE_NESTED = 32,  /* cells: some of their trees are no chains */
     CSG_FEATURE_BUNCHES = 64, /* cells: see src/cells/bunch.h */
-    CSG_FEATURE_BANDS = 128, /* some record is that of a stack of rings */
+    CSG_FEATURE_BANDS = 128,  /* some record is that of a stack of rings */
     CSG_NUM_FEATURE_SETS = 256,
     /* All of a frame's programs or none: */
     CSG_FEATURE_TEXTBOOK = 256, /* crossings of textbooks */
@@ -57,9 +57,9 @@ enum csg_feature {
 /* A program for chains, intersections of a few solids and complements, see shaders/csg/chain.glsl.
  */
 struct csg_chain {
-    int slots;     /* solids at most */
-    int handed;    /* ... that the vertex stage reads; fragments read the others */
-    bool quadrics; /* whether they may have one */
+    int slots;            /* solids at most */
+    int handed;           /* ... that the vertex stage reads; fragments read the others */
+    bool quadrics;        /* whether they may have one */
     bool colors, normals; /* there is room for the solids' colours, and the terms of their quadrics'
                            * normals */
 };

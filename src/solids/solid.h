@@ -40,7 +40,7 @@ enum csg_kind {
     CSG_KIND_RESIZE,
     CSG_KIND_IMPORT,
     CSG_KIND_SURFACE,
-    CSG_KIND_DRAWING, /* by itself, as a slab */
+    CSG_KIND_DRAWING,  /* by itself, as a slab */
     CSG_KIND_OPENSCAD, /* what only openscad can evaluate, as a mesh */
     CSG_NUM_LEAF_KINDS
 };

@@ -19,8 +19,8 @@ enum csg_value_type {
 };
 
 struct csg_value {
-    uint8_t type;      /* enum csg_value_type */
-    bool boolean;      /* BOOL */
+    uint8_t type; /* enum csg_value_type */
+    bool boolean; /* BOOL */
     /* NUMBER: half a unit of the sixth digit where the number was written with five or six
      * significant digits and so may be rounded; 0 where it stands as meant. */
     float rounding;

@@ -278,9 +278,9 @@ static enum csg_text_result outline(struct csg_fonts *fonts, const struct csg_te
 }
 
 extern const struct csg_text_module CSG_TEXT_MODULE;
-__attribute__((visibility("default"))) const struct csg_text_module CSG_TEXT_MODULE = {
-    .create = csg_fonts_create,
-    .destroy = csg_fonts_destroy,
-    .add = csg_fonts_add,
-    .outline = outline,
-    .list = csg_fonts_list};
+__attribute__((visibility("default")))
+const struct csg_text_module CSG_TEXT_MODULE = {.create = csg_fonts_create,
+                                                .destroy = csg_fonts_destroy,
+                                                .add = csg_fonts_add,
+                                                .outline = outline,
+                                                .list = csg_fonts_list};

@@ -28,8 +28,8 @@ static enum side side_of(const struct csg_bands *bands, uint32_t circle,
         return OUTSIDE;
     move_conic(bands->circles.data[circle].conic, tile, c);
     const double x = tile->half[0], y = tile->half[1];
-    const double reach = x * fabs(c[1]) + y * fabs(c[2]) + x * x * fabs(c[3]) +
-                         x * y * fabs(c[4]) + y * y * fabs(c[5]);
+    const double reach = x * fabs(c[1]) + y * fabs(c[2]) + x * x * fabs(c[3]) + x * y * fabs(c[4]) +
+                         y * y * fabs(c[5]);
     const double least = reach + FLOAT_MARGIN * (fabs(c[0]) + reach);
     return c[0] > least ? OUTSIDE : c[0] < -least ? INSIDE : EITHER;
 }
@@ -73,9 +73,7 @@ static bool may_meet(const struct csg_terms *terms, const struct csg_band *band,
     const bool within = band->code & CSG_BAND_WITHIN;
     const enum side first = side_of(bands, band->circles[0], tile);
     const enum side second = side_of(bands, band->circles[1], tile);
-    const enum side start = !within                         ? first
-                            : band->code & CSG_BAND_INSIDE ? INSIDE
-                                                           : OUTSIDE;
+    const enum side start = !within ? first : band->code & CSG_BAND_INSIDE ? INSIDE : OUTSIDE;
     const bool same = first == second && first == start && first != EITHER;
     *keys = csg_range_of_plane(band->planes[0], tile);
     if (band->flat)

@@ -68,8 +68,8 @@ static void fill_ranges(struct csg_tiler *tiler, const struct csg_tile_task *tas
             continue;
         }
         struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
-        *leaf = misses(tiler, task, node->leaf) ? csg_leaf_nowhere
-                                                : leaf_range(tiler, box, node->leaf);
+        *leaf =
+            misses(tiler, task, node->leaf) ? csg_leaf_nowhere : leaf_range(tiler, box, node->leaf);
         tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
                                              : (struct csg_range){leaf->entry.lo, leaf->exit.hi};
     }
@@ -152,8 +152,7 @@ static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task,
 {
     fill_ranges(tiler, task, box);
     bool found = judge_leaves(tiler, &task->tree);
-    found |=
-        csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
+    found |= csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
     if (found && !csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
     task->flat = csg_tiler_is_flat(&task->tree);

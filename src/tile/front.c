@@ -62,9 +62,8 @@ static double next_of_tree(const struct front *front, double key, double far)
         return next_of_node(front, 0, key);
     for (uint32_t child = 1; child < tree->num && key < far; child = tree->data[child].end) {
         const struct csg_node *node = &tree->data[child];
-        key = node->op == CSG_LEAF
-                  ? next_of_leaf(range_of(front, node->leaf), node->negated, key)
-                  : next_of_node(front, child, key);
+        key = node->op == CSG_LEAF ? next_of_leaf(range_of(front, node->leaf), node->negated, key)
+                                   : next_of_node(front, child, key);
     }
     return key;
 }

@@ -64,8 +64,7 @@ static int clamp(int x, int lo, int hi)
     return x < lo ? lo : x > hi ? hi : x;
 }
 
-static void cut_panes(const struct csg_tile_area *area, const struct grid *grid,
-                      struct pane *panes)
+static void cut_panes(const struct csg_tile_area *area, const struct grid *grid, struct pane *panes)
 {
     for (int i = 0; i < grid->num; i++) {
         const int at[2] = {i % grid->across, i / grid->across};
@@ -176,8 +175,8 @@ bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *obj
     struct pane panes[SAMPLES];
     struct job job = {terms, object, draw, panes, SAMPLES};
     double num_tests = 0, num_pixels = 0;
-    for (size_t i = 0; i < SAMPLES && (i == 0 || (num_tests > few * num_pixels &&
-                                                  num_tests < many * num_pixels));
+    for (size_t i = 0;
+         i < SAMPLES && (i == 0 || (num_tests > few * num_pixels && num_tests < many * num_pixels));
          i++)
         if (!sample_row(&job, rect, rows[i], &num_tests, &num_pixels))
             return false;

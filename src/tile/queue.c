@@ -22,8 +22,8 @@ bool csg_tile_queue_add(struct csg_tile_queue *queue, struct csg_terms *terms,
     if (!csg_array_reserve(&queue->items, 1))
         return false;
     struct csg_queued *item = &queue->items.data[queue->items.num++];
-    *item = (struct csg_queued){.object = object, .rect = *rect, .draw = *draw,
-                                .at = frame->draws.num};
+    *item =
+        (struct csg_queued){.object = object, .rect = *rect, .draw = *draw, .at = frame->draws.num};
     csg_terms_take(&item->terms, terms);
     item->part.screen = frame->screen;
     item->part.at = frame->at;

@@ -41,7 +41,7 @@ static struct csg_range conic(const double *t, int code, const struct csg_tile_b
     const struct csg_range yy = parabola(y, t[10], t[11]);
     const double c0 = t[7];
     const double margin = CSG_FLOAT_MARGIN * (fabs(c0) + csg_larger(fabs(xx.lo), fabs(xx.hi)) +
-                                          csg_larger(fabs(yy.lo), fabs(yy.hi)));
+                                              csg_larger(fabs(yy.lo), fabs(yy.hi)));
     return (struct csg_range){c0 + xx.lo + yy.lo - margin, c0 + xx.hi + yy.hi + margin};
 }
 
@@ -64,8 +64,7 @@ static struct csg_quadric_range crossings(const double *texels, struct csg_range
     return range;
 }
 
-struct csg_quadric_range csg_range_of_quadric(const double *texels,
-                                             const struct csg_tile_box *tile)
+struct csg_quadric_range csg_range_of_quadric(const double *texels, const struct csg_tile_box *tile)
 {
     return crossings(texels, conic(texels, (int)texels[3], tile), tile);
 }
@@ -131,8 +130,8 @@ static struct csg_leaf_range surface_range(const struct csg_surface_view *view,
 }
 
 static struct csg_leaf_range flat_range(const struct csg_terms *terms,
-                                       const struct csg_leaf_terms *leaf,
-                                       const struct csg_tile_box *tile)
+                                        const struct csg_leaf_terms *leaf,
+                                        const struct csg_tile_box *tile)
 {
     const double far = (double)CSG_KEY_MAX;
     struct csg_leaf_range range = {{-far, -far}, {far, far}, true};

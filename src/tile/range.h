@@ -68,7 +68,7 @@ struct csg_quadric_range {
 };
 
 struct csg_quadric_range csg_range_of_quadric(const double *texels,
-                                             const struct csg_tile_box *tile);
+                                              const struct csg_tile_box *tile);
 
 struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
                                         const struct csg_leaf_terms *leaf,

@@ -38,8 +38,7 @@ struct csg_tiler {
 };
 
 /* Of a leaf of the tree at hand. */
-static inline struct csg_leaf_range *csg_tiler_range(const struct csg_tiler *tiler,
-                                                     uint32_t leaf)
+static inline struct csg_leaf_range *csg_tiler_range(const struct csg_tiler *tiler, uint32_t leaf)
 {
     return &tiler->ranges.data[tiler->terms->index[leaf]];
 }

@@ -208,9 +208,21 @@ static void set_light(void)
 
 static bool make_context(const struct peer *peer)
 {
-    static const int wanted[] = {GLX_DRAWABLE_TYPE, GLX_PBUFFER_BIT, GLX_RED_SIZE, 8,
-                                 GLX_GREEN_SIZE, 8, GLX_BLUE_SIZE, 8, GLX_ALPHA_SIZE, 8,
-                                 GLX_DEPTH_SIZE, 24, GLX_STENCIL_SIZE, 8, None};
+    static const int wanted[] = {GLX_DRAWABLE_TYPE,
+                                 GLX_PBUFFER_BIT,
+                                 GLX_RED_SIZE,
+                                 8,
+                                 GLX_GREEN_SIZE,
+                                 8,
+                                 GLX_BLUE_SIZE,
+                                 8,
+                                 GLX_ALPHA_SIZE,
+                                 8,
+                                 GLX_DEPTH_SIZE,
+                                 24,
+                                 GLX_STENCIL_SIZE,
+                                 8,
+                                 None};
     const int size[] = {GLX_PBUFFER_WIDTH, peer->width, GLX_PBUFFER_HEIGHT, peer->height, None};
     int num = 0;
     Display *display = XOpenDisplay(NULL);
@@ -219,8 +231,7 @@ static bool make_context(const struct peer *peer)
     if (num == 0)
         return fprintf(stderr, "opencsg_peer: no X display with OpenGL\n"), false;
     const GLXPbuffer buffer = glXCreatePbuffer(display, configs[0], size);
-    const GLXContext context =
-        glXCreateNewContext(display, configs[0], GLX_RGBA_TYPE, NULL, True);
+    const GLXContext context = glXCreateNewContext(display, configs[0], GLX_RGBA_TYPE, NULL, True);
     XFree(configs);
     return glXMakeContextCurrent(display, buffer, buffer, context);
 }
@@ -234,8 +245,8 @@ int main(int argc, char **argv)
         .peer = &peer, .product = opencsg_product_create(), .facets = atoi(peer.mode)};
     glViewport(0, 0, peer.width, peer.height);
     set_light();
-    const bool good = state.facets >= 3 && state.product && load(&state) &&
-                      peer_run(&peer, draw, &state, true);
+    const bool good =
+        state.facets >= 3 && state.product && load(&state) && peer_run(&peer, draw, &state, true);
     opencsg_product_destroy(state.product);
     return !good;
 }

@@ -6,22 +6,27 @@
 #include <opencsg.h>
 #include <vector>
 
-namespace {
+namespace
+{
 
-class Solid : public OpenCSG::Primitive {
-public:
+class Solid : public OpenCSG::Primitive
+{
+  public:
     Solid(unsigned list, bool subtracted)
         : OpenCSG::Primitive(subtracted ? OpenCSG::Subtraction : OpenCSG::Intersection, 1),
           list_(list)
     {
     }
-    void render() override { glCallList(list_); }
+    void render() override
+    {
+        glCallList(list_);
+    }
 
-private:
+  private:
     unsigned list_;
 };
 
-}
+} // namespace
 
 struct opencsg_product {
     std::vector<std::unique_ptr<Solid>> solids;

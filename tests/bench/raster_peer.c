@@ -174,11 +174,10 @@ static void make_target(struct state *state)
     gl->Viewport(0, 0, state->peer->width, state->peer->height);
 }
 
-static void set_attribute(struct csg_gl *gl, GLuint index, GLint size, size_t stride,
-                          size_t offset, GLuint divisor)
+static void set_attribute(struct csg_gl *gl, GLuint index, GLint size, size_t stride, size_t offset,
+                          GLuint divisor)
 {
-    gl->VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, (GLsizei)stride,
-                            (const void *)offset);
+    gl->VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
     gl->EnableVertexAttribArray(index);
     gl->VertexAttribDivisor(index, divisor);
 }

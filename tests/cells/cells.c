@@ -32,7 +32,7 @@ static void put_holes(struct text *text, int level, double x, double y, double s
         return;
     for (int axis = 0; axis < 3; axis++)
         text_put(text, "rotate(%s) translate([%.17g,%.17g,-20]) cube([%.17g,%.17g,40]);\n",
-            turns[axis], x + third, y + third, third, third);
+                 turns[axis], x + third, y + third, third, third);
     for (int i = 0; i < 9; i++)
         if (i != 4)
             put_holes(text, level - 1, x + i % 3 * third, y + i / 3 * third, third);
@@ -79,8 +79,9 @@ static char *rods(void)
     text_put(&text, "difference() { cylinder(h = 20, r = 16); translate([-12,-12,0]) "
                     "cube([24,24,4]);\n");
     for (int i = 0; i < 120; i++)
-        text_put(&text, i % 3 ? "translate([%d,%d,%d]) cylinder(h = %d, r1 = 1, r2 = %g);\n"
-                              : "translate([%d,%d,%d]) cube([2,2,%d]);\n",
+        text_put(&text,
+                 i % 3 ? "translate([%d,%d,%d]) cylinder(h = %d, r1 = 1, r2 = %g);\n"
+                       : "translate([%d,%d,%d]) cube([2,2,%d]);\n",
                  2 * (i % 15) - 14, 2 * (i / 15) - 8, 4 * (i % 4), 4 + 4 * (i % 3),
                  0.5 * (1 + i % 3));
     text_put(&text, "}\n");

@@ -72,8 +72,8 @@ static void choose_view(struct dice *dice, const struct pair *pair, struct csgca
     camera->projection = dice_pick(dice, 2) ? CSGCAST_ORTHOGRAPHIC : CSGCAST_PERSPECTIVE;
     camera->fov = 2 * atan(reach / distance) * 360 / turn;
     store(camera->center, ideal_to_world(&pair->ideal, pair->target));
-    store(camera->eye, ideal_to_world(&pair->ideal, ideal_add(pair->target,
-                                                              ideal_scale(distance, away))));
+    store(camera->eye,
+          ideal_to_world(&pair->ideal, ideal_add(pair->target, ideal_scale(distance, away))));
 }
 
 static void save(const struct pair *pair, const char *name, const struct csgcast_view *view)
@@ -109,8 +109,8 @@ static size_t count_other_leaves(struct run *run, const struct pair *pair,
             ideal_is_edge(&pair->ideal, frustum, size, size, i % size, i / size))
             continue;
         if (!num++ && run->num_reported++ < MAX_REPORTED)
-            printf("%s: pixel %d,%d shows leaf %g, in the reference %g\n", name, i % size,
-                   i / size, (double)run->got.id[i], (double)run->expected.id[i]);
+            printf("%s: pixel %d,%d shows leaf %g, in the reference %g\n", name, i % size, i / size,
+                   (double)run->got.id[i], (double)run->expected.id[i]);
     }
     return num;
 }
@@ -234,8 +234,7 @@ static bool print_table(const struct run *run)
     for (int i = 0; i < NUM_PLACEMENTS; i++)
         print_totals(placement_names[i], &run->by_placement[i]);
     print_totals("all", &all);
-    const bool many_edges =
-        (double)all.shader.edge > MAX_EDGE_SHARE * (double)all.shader.rays;
+    const bool many_edges = (double)all.shader.edge > MAX_EDGE_SHARE * (double)all.shader.rays;
     printf("%s: %d of %d scenes failed%s\n", all.failed || many_edges ? "FAIL" : "ok", all.failed,
            all.scenes, many_edges ? ", too many pixels differ at edges" : "");
     return !all.failed && !many_edges && all.scenes;
@@ -278,8 +277,8 @@ int main(int argc, char **argv)
             free(run);
             return fprintf(stderr, "coincidence: cannot use %s\n", argv[i]), 2;
         }
-    run->renderer = csgcast_renderer_create(
-        &(struct csgcast_renderer_params){.backend = run->options.backend});
+    run->renderer =
+        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = run->options.backend});
     run->reference = csgcast_renderer_create(
         &(struct csgcast_renderer_params){.backend = CSGCAST_BACKEND_REFERENCE});
     run->got = picture_create(run->options.size, run->options.size);

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-const char *const relation_names[NUM_RELATIONS] = {"flush", "through", "abut",   "grow",
-                                                   "plug",  "parts",   "inner",  "undo",
-                                                   "absorb", "equal",  "twice",  "skin"};
-const char *const placement_names[NUM_PLACEMENTS] = {
-    "rest", "outer", "each", "far", "six outer", "six nested", "six each"};
+const char *const relation_names[NUM_RELATIONS] = {"flush",  "through", "abut",  "grow",
+                                                   "plug",   "parts",   "inner", "undo",
+                                                   "absorb", "equal",   "twice", "skin"};
+const char *const placement_names[NUM_PLACEMENTS] = {"rest",      "outer",      "each",    "far",
+                                                     "six outer", "six nested", "six each"};
 
 /* a is 1, the unit that tolerances are shares of, to a few times. */
 #define SKIN 1e-4

@@ -25,10 +25,10 @@ enum relation {
 extern const char *const relation_names[NUM_RELATIONS];
 
 enum placement {
-    PLACE_REST,   /* as made */
-    PLACE_OUTER,  /* turned and moved by one matrix around the Boolean */
-    PLACE_EACH,   /* by a matrix at every solid, multiplied into the solid's own */
-    PLACE_FAR,    /* as OUTER or EACH, 1e5 radii from the origin */
+    PLACE_REST,      /* as made */
+    PLACE_OUTER,     /* turned and moved by one matrix around the Boolean */
+    PLACE_EACH,      /* by a matrix at every solid, multiplied into the solid's own */
+    PLACE_FAR,       /* as OUTER or EACH, 1e5 radii from the origin */
     PLACE_SIX_OUTER, /* as OUTER, EACH; six digits */
     PLACE_SIX_NESTED,
     PLACE_SIX_EACH,

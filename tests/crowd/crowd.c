@@ -83,7 +83,7 @@ static char *make_dense_scene(void)
     struct text text = {0};
     for (int i = 0; i < NUM_DENSE; i++) {
         text_put(&text, "multmatrix([[0.4, 0, %.9g, 0], [0, 0.4, 0, 0], [0, %.9g, 0.4, 0]]) ",
-            between(-0.2, 0.2), between(-0.2, 0.2));
+                 between(-0.2, 0.2), between(-0.2, 0.2));
         text_put(&text, "rotate([%.9g, %.9g, 0]) ", between(0, 360), between(0, 360));
         put_place(&text);
         put_solid(&text);
@@ -101,7 +101,7 @@ static char *make_scene(void)
         put_place(&text);
         if (i % 10 == 0)
             text_put(&text, "{ cylinder(h = 2, r = 0.5); translate([0, 0, 2]) cube([1, 1, 1]); "
-                       "translate([0, 0, -1]) cylinder(h = 1, r = 0.5); }\n");
+                            "translate([0, 0, -1]) cylinder(h = 1, r = 0.5); }\n");
         else
             put_solid(&text);
         char copy[1024];
@@ -149,14 +149,16 @@ static void put_part(struct text *text)
                  a, b, a, 0.9 * b * between(0.2, 1.2));
         break;
     case 2:
-        text_put(text, "difference() { sphere(r = %.9g); translate([0, 0, %.9g]) difference() { "
-                 "cube(%.9g, center = true); cylinder(h = 3, r = %.9g, center = true); }", a,
-                 0.5 * b, 2 * a, 0.4 * b);
+        text_put(text,
+                 "difference() { sphere(r = %.9g); translate([0, 0, %.9g]) difference() { "
+                 "cube(%.9g, center = true); cylinder(h = 3, r = %.9g, center = true); }",
+                 a, 0.5 * b, 2 * a, 0.4 * b);
         break;
     case 3:
-        text_put(text, "intersection() { cylinder(h = %.9g, r1 = %.9g, r2 = 0); union() { "
-                 "cube([%.9g, 9, 9], center = true); cube([9, %.9g, 9], center = true); }", 2 * a,
-                 b, 0.4 * b, 0.3 * b);
+        text_put(text,
+                 "intersection() { cylinder(h = %.9g, r1 = %.9g, r2 = 0); union() { "
+                 "cube([%.9g, 9, 9], center = true); cube([9, %.9g, 9], center = true); }",
+                 2 * a, b, 0.4 * b, 0.3 * b);
         break;
     default:
         text_put(text, "difference() { cube(%.9g, center = true); sphere(r = %.9g);", a,

@@ -114,10 +114,9 @@ static void add_paths(const struct csg_drawing *drawing, uint32_t operand, uint3
         const struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[n].figure];
         for (uint32_t i = figure->begin; i < figure->end; i++) {
             const struct csg_contour *contour = &drawing->contours.data[i];
-            paths[(*num)++] = (struct csg_clip_path){&drawing->points.data[contour->begin].x,
-                                                     contour->end - contour->begin, operand,
-                                                     first_figure + (uint32_t)n,
-                                                     figure->is_outline};
+            paths[(*num)++] = (struct csg_clip_path){
+                &drawing->points.data[contour->begin].x, contour->end - contour->begin, operand,
+                first_figure + (uint32_t)n, figure->is_outline};
         }
     }
 }
@@ -126,8 +125,7 @@ static void add_paths(const struct csg_drawing *drawing, uint32_t operand, uint3
 static double area_of_rest(const struct csg_clip_module *module, const struct csg_drawing *a,
                            const struct csg_drawing *b)
 {
-    struct csg_clip_path *paths =
-        calloc(a->contours.num + b->contours.num + 1, sizeof *paths);
+    struct csg_clip_path *paths = calloc(a->contours.num + b->contours.num + 1, sizeof *paths);
     struct sum sum = {0};
     const struct csg_clip_sink sink = {&sum, begin_contour, add_point};
     size_t num = 0;
@@ -167,8 +165,7 @@ int main(int argc, char **argv)
     size_t num_ours = 0, num_theirs = 0;
     if (!module || argc != 2 || !read_ours(argv[1], &ours) || !read_theirs(&theirs))
         return 1;
-    const double area =
-        area_of_rest(module, &ours, &theirs) + area_of_rest(module, &theirs, &ours);
+    const double area = area_of_rest(module, &ours, &theirs) + area_of_rest(module, &theirs, &ours);
     const double length = length_of(&ours, &num_ours) + length_of(&theirs, &num_theirs);
     printf("%zu %zu %.9g %.9g\n", num_ours, num_theirs, area, length);
     csg_drawing_finish(&ours);

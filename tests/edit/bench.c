@@ -31,13 +31,12 @@ struct csgcast_scene *bench_parse(const char *text, bool editable)
 }
 
 void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
-                      const struct csgcast_camera *camera, struct picture *picture)
+                const struct csgcast_camera *camera, struct picture *picture)
 {
-    const struct csgcast_view view = {
-        .width = SIZE,
-        .height = SIZE,
-        .camera = camera ? *camera : (struct csgcast_camera){0},
-        .variant = bench_forced};
+    const struct csgcast_view view = {.width = SIZE,
+                                      .height = SIZE,
+                                      .camera = camera ? *camera : (struct csgcast_camera){0},
+                                      .variant = bench_forced};
     const struct csgcast_image image = {
         .rgba = picture->rgba, .z = picture->z, .normal = picture->normal, .id = picture->id};
     CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
@@ -59,12 +58,13 @@ void bench_compare_pictures(const struct bench *bench, const char *what, bool wi
         normal += memcmp(bench->got.normal + 3 * i, bench->expected.normal + 3 * i, 12) != 0;
         id += with_id && bench->got.id[i] != bench->expected.id[i];
     }
-    CHECK(rgba + z + normal + id == 0, "%s: pixels differ, rgba %zu z %zu normal %zu id %zu\n%.4000s",
-          what, rgba, z, normal, id, bench->text);
+    CHECK(rgba + z + normal + id == 0,
+          "%s: pixels differ, rgba %zu z %zu normal %zu id %zu\n%.4000s", what, rgba, z, normal, id,
+          bench->text);
 }
 
 void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scene *b,
-                         const char *what)
+                        const char *what)
 {
     struct csgcast_scene_info x, y;
     double box[2][6] = {{0}};
@@ -86,7 +86,7 @@ void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scen
 }
 
 void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
-                    const struct model *model, const char *what, bool with_id)
+                   const struct model *model, const char *what, bool with_id)
 {
     model_print(model, bench->text);
     struct csgcast_scene *fresh = bench_parse(bench->text, false);

@@ -24,7 +24,7 @@ struct bench {
     char text[MODEL_MAX_TEXT];
 };
 
-extern const char *bench_forced;      /* variant of the pictures; NULL: none */
+extern const char *bench_forced; /* variant of the pictures; NULL: none */
 extern char bench_last_message[512];
 
 /* Ends the program where the text is no scene. */

@@ -72,9 +72,8 @@ void check_growth(struct bench *bench)
     char *text = bench->text;
     int at = snprintf(text, MODEL_MAX_TEXT, "difference() { cube(24, center = true);");
     for (int i = 0; i < 14; i++)
-        at += snprintf(text + at, MODEL_MAX_TEXT - (size_t)at,
-                       "translate([%d, %d, 3]) sphere(%d);", 3 * (i % 5) - 5, 4 * (i / 5) - 4,
-                       2 + i % 7);
+        at += snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "translate([%d, %d, 3]) sphere(%d);",
+                       3 * (i % 5) - 5, 4 * (i / 5) - 4, 2 + i % 7);
     snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "}");
     struct csgcast_scene *scene = bench_parse(text, true), *fresh = bench_parse(text, false);
     CHECK(csgcast_scene_set_matrix(scene, 0, small), "%s", bench_last_message);
@@ -157,10 +156,9 @@ static void print_section(char *text, size_t size, double at)
 {
     size_t num = (size_t)snprintf(text, size, "difference() { union() {\n");
     for (int i = 0; i < 40; i++)
-        num += (size_t)snprintf(text + num, size - num,
-                                "multmatrix([[1,0,0,%d],[0,1,0,%d],[0,0,1,%d],[0,0,0,1]]) %s\n",
-                                i % 5 * 3, i / 5 % 4 * 3, i / 20 * 3,
-                                i % 3 ? "sphere(2);" : "cube(2);");
+        num += (size_t)snprintf(
+            text + num, size - num, "multmatrix([[1,0,0,%d],[0,1,0,%d],[0,0,1,%d],[0,0,0,1]]) %s\n",
+            i % 5 * 3, i / 5 % 4 * 3, i / 20 * 3, i % 3 ? "sphere(2);" : "cube(2);");
     snprintf(text + num, size - num,
              "}\nmultmatrix([[1,0,0,%.17g],[0,1,0,-9],[0,0,1,-9],[0,0,0,1]]) cube(40);\n}", at);
 }

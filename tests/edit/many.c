@@ -75,8 +75,7 @@ void check_many(struct bench *bench, uint64_t seed)
     model_print(&model, bench->text);
     struct csgcast_scene *scene = bench_parse(bench->text, seed % 2);
     for (int i = 0; i < NUM_IN_A_ROW; i++) {
-        const char *what =
-            change(&model, scene, (size_t)model_random(&model, 0, model.num_leaves));
+        const char *what = change(&model, scene, (size_t)model_random(&model, 0, model.num_leaves));
         if (i % 3)
             continue;
         bench_forced = next_variant(&name);

@@ -105,8 +105,7 @@ void model_init_many(struct model *model, uint64_t seed, int num_objects)
     model->nodes[model->num_nodes++] = (struct model_node){1, num_objects};
     for (int i = 0; i < num_objects; i++) {
         const int num = pick(model, 3) ? 1 : 2 + pick(model, 2), first = model->num_leaves;
-        const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS,
-                              i / NUM_CELLS / NUM_CELLS};
+        const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS, i / NUM_CELLS / NUM_CELLS};
         if (num > 1)
             model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num};
         for (int j = 0; j < num; j++) {
@@ -147,9 +146,8 @@ static void put_leaf(struct printer *printer)
             (double)leaf->color[1], (double)leaf->color[2], (double)leaf->color[3]);
     put(printer, "multmatrix([");
     for (int i = 0; i < 4; i++)
-        put(printer, "[%.17g, %.17g, %.17g, %.17g]%s", leaf->matrix[4 * i],
-            leaf->matrix[4 * i + 1], leaf->matrix[4 * i + 2], leaf->matrix[4 * i + 3],
-            i < 3 ? ", " : "]) ");
+        put(printer, "[%.17g, %.17g, %.17g, %.17g]%s", leaf->matrix[4 * i], leaf->matrix[4 * i + 1],
+            leaf->matrix[4 * i + 2], leaf->matrix[4 * i + 3], i < 3 ? ", " : "]) ");
     put(printer, "%s(%s);\n", leaf->kind, leaf->parameters);
 }
 

@@ -16,7 +16,7 @@ struct model_leaf {
     const char *kind;
     char parameters[128];
     double matrix[16];
-    float color[4]; /* r < 0: none */
+    float color[4];  /* r < 0: none */
     double place[3]; /* of its object, where there are many */
 };
 

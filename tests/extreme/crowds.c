@@ -20,8 +20,10 @@ struct crowd {
 
 static void put_box(struct text *text, double x, double length)
 {
-    text_put(text, "multmatrix([[1, 0, 0, %.17g], [0, 1, 0, -5], [0, 0, 1, -5], [0, 0, 0, 1]]) "
-                   "cube(size = [%.17g, 10, 10]);\n", x, length);
+    text_put(text,
+             "multmatrix([[1, 0, 0, %.17g], [0, 1, 0, -5], [0, 0, 1, -5], [0, 0, 0, 1]]) "
+             "cube(size = [%.17g, 10, 10]);\n",
+             x, length);
 }
 
 /* Slabs behind each other, the nearest last. */
@@ -102,10 +104,12 @@ static bool check(struct csgcast_renderer *renderer, const struct crowd *crowd, 
     crowd->put(&text, num);
     const struct csgcast_scene_params params = {.name = crowd->name};
     struct csgcast_scene *scene = csgcast_scene_parse(text.data, text.num, &params);
-    const struct csgcast_view view = {
-        .width = SIZE, .height = SIZE,
-        .camera = {.kind = CSGCAST_CAMERA_VECTOR, .center = {1, 0, 0},
-                   .projection = CSGCAST_ORTHOGRAPHIC, .fov = 90}};
+    const struct csgcast_view view = {.width = SIZE,
+                                      .height = SIZE,
+                                      .camera = {.kind = CSGCAST_CAMERA_VECTOR,
+                                                 .center = {1, 0, 0},
+                                                 .projection = CSGCAST_ORTHOGRAPHIC,
+                                                 .fov = 90}};
     struct picture picture = picture_create(SIZE, SIZE);
     const bool drawn = scene && picture_render(renderer, scene, &view, &picture);
     double largest = 0;

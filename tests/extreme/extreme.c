@@ -20,8 +20,8 @@
 
 /* The bars. */
 #define MAX_WRONG_SHARE 2e-5
-#define MAX_DEPTH 2e-6   /* relative, at QUANTILE */
-#define MAX_NORMAL 0.05  /* degrees, at QUANTILE */
+#define MAX_DEPTH 2e-6  /* relative, at QUANTILE */
+#define MAX_NORMAL 0.05 /* degrees, at QUANTILE */
 #define QUANTILE 0.999
 
 /* One ray in each variant, which in a small run is more than that share. */
@@ -160,9 +160,8 @@ static void print_row(const struct run *run, const struct sweep *sweep, double v
             ? "%s,%g,%s,%zu,%zu,%.3g,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.3g,%s\n"
             : "| %s | %g | %s | %zu | %zu | %.2g | %zu | %zu | %zu | %.2g | %.2g | %.2g "
               "| %.2g | %s |\n";
-    printf(format, sweep->name, value, who, m->rays, m->misses, m->displaced, m->outside,
-           m->other, m->nan,
-           errors_quantile(&m->depth, QUANTILE), errors_quantile(&m->depth, 1),
+    printf(format, sweep->name, value, who, m->rays, m->misses, m->displaced, m->outside, m->other,
+           m->nan, errors_quantile(&m->depth, QUANTILE), errors_quantile(&m->depth, 1),
            errors_quantile(&m->normal, QUANTILE), errors_quantile(&m->normal, 1),
            good ? "ok" : "FAIL");
     fflush(stdout);
@@ -192,9 +191,20 @@ static bool run_value(struct run *run, const struct sweep *sweep, double value, 
 static bool run_sweeps(struct run *run)
 {
     static const char *const heads[] = {
-        "sweep",       "value",         "of",         "rays",        "wrong",
-        "pixels off",  "outside a pixel", "other surface", "not finite", "depth p99.9",
-        "depth max",   "normal p99.9",  "normal max", "verdict",
+        "sweep",
+        "value",
+        "of",
+        "rays",
+        "wrong",
+        "pixels off",
+        "outside a pixel",
+        "other surface",
+        "not finite",
+        "depth p99.9",
+        "depth max",
+        "normal p99.9",
+        "normal max",
+        "verdict",
     };
     bool ok = true;
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
@@ -254,8 +264,8 @@ int main(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_option(&run.options, argv[i]))
             return fprintf(stderr, "extreme: cannot use %s\n", argv[i]), 2;
-    run.renderer = csgcast_renderer_create(
-        &(struct csgcast_renderer_params){.backend = run.options.backend});
+    run.renderer =
+        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = run.options.backend});
     run.reference = csgcast_renderer_create(
         &(struct csgcast_renderer_params){.backend = CSGCAST_BACKEND_REFERENCE});
     run.picture = picture_create(run.options.size, run.options.size);

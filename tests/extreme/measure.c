@@ -94,8 +94,7 @@ static void measure_pixel(struct measure *measure, const struct picture *picture
     if (!hit.hit)
         return;
     const double least = frustum->orthographic ? extent : 0;
-    const double depth =
-        (double)(fabsl(picture->z[i] - hit.t) / fmaxl(fabsl(hit.t), least));
+    const double depth = (double)(fabsl(picture->z[i] - hit.t) / fmaxl(fabsl(hit.t), least));
     const double normal = normal_error(&hit, picture->normal + 3 * i);
     if (depth > OTHER_DEPTH || normal > OTHER_NORMAL) {
         if (!ideal_is_edge(ideal, frustum, width, height, x, y))

@@ -16,15 +16,15 @@ struct errors {
 
 struct measure {
     size_t rays;
-    size_t misses;  /* a hit where there is nothing, or nothing where there is one; not where the
+    size_t misses;    /* a hit where there is nothing, or nothing where there is one; not where the
                      * ray goes exactly through a silhouette */
     double displaced; /* pixels that silhouettes must be off for these, at most */
-    size_t outside; /* of these, those not within a pixel of a silhouette */
-    size_t other;   /* another surface, not within a pixel of a silhouette or crease */
-    size_t nan;     /* pixels with a nan or infinite number where there must be none */
+    size_t outside;   /* of these, those not within a pixel of a silhouette */
+    size_t other;     /* another surface, not within a pixel of a silhouette or crease */
+    size_t nan;       /* pixels with a nan or infinite number where there must be none */
     struct errors depth;  /* relative to the distance; orthographic: or to the scene */
     struct errors normal; /* degrees */
-    int x, y; /* the last pixel of outside, other or nan */
+    int x, y;             /* the last pixel of outside, other or nan */
 };
 
 /* extent: of the scene, which orthographic depths are related to at least: their zero may be

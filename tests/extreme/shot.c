@@ -56,8 +56,10 @@ void shot_quadric(struct shot *shot, const double terms[5], const struct map *ma
     form.q[2][3] = form.q[3][2] = terms[3];
     ideal_solid_add(&solid, form);
     map_put(&shot->text, map, TEXT_EXACT);
-    text_put(&shot->text, "quadric(coefficients = [%.17g, 0, 0, 0, %.17g, 0, 0, %.17g, %.17g, "
-                          "%.17g]);\n", terms[0], terms[1], terms[2], terms[3], terms[4]);
+    text_put(&shot->text,
+             "quadric(coefficients = [%.17g, 0, 0, 0, %.17g, 0, 0, %.17g, %.17g, "
+             "%.17g]);\n",
+             terms[0], terms[1], terms[2], terms[3], terms[4]);
     add_ideal(shot, &solid, map);
 }
 
@@ -70,9 +72,10 @@ void shot_end(struct shot *shot, const char *rule)
     const size_t length = strlen(rule);
     for (size_t i = length; i-- > 0;)
         if (rule[i] < 'a')
-            text_put(&shot->text, "%s() {\n", rule[i] == '+'   ? "union"
-                                              : rule[i] == '*' ? "intersection"
-                                                               : "difference");
+            text_put(&shot->text, "%s() {\n",
+                     rule[i] == '+'   ? "union"
+                     : rule[i] == '*' ? "intersection"
+                                      : "difference");
     /* After the second solid each Boolean closes: solids are one line each, in order. */
     const char *line = solids.data ? solids.data : "";
     for (size_t i = 0; i < length; i++) {

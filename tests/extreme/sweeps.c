@@ -59,12 +59,11 @@ static void make_aspect(struct shot *shot, struct dice *dice, double value, int 
     const bool needle = index & 1, zoom = index & 2;
     const double thin = 1 / value;
     const struct map turned = map_turn(dice);
-    const struct map scaled =
-        needle ? map_scale(thin, thin, 1) : map_scale(1, 1, thin);
+    const struct map scaled = needle ? map_scale(thin, thin, 1) : map_scale(1, 1, thin);
     const struct map map = map_multiply(&turned, &scaled);
     add_one(shot, (enum kind)(index / 4 % NUM_KINDS), &map, 10 * thin);
-    const struct ideal_vec inside = ideal_vec(map.m[0][2] * -DEPTH / 2, map.m[1][2] * -DEPTH / 2,
-                                              map.m[2][2] * -DEPTH / 2);
+    const struct ideal_vec inside =
+        ideal_vec(map.m[0][2] * -DEPTH / 2, map.m[1][2] * -DEPTH / 2, map.m[2][2] * -DEPTH / 2);
     const double reach = zoom ? 12 * thin : 11;
     shot_look(shot, inside, random_direction(dice), index & 4 ? 4 * reach : 40, reach,
               dice_pick(dice, 2));
@@ -85,8 +84,8 @@ static void make_map(struct shot *shot, struct dice *dice, double value, int ind
     }
     const struct map half = map_multiply(&a, &c), map = map_multiply(&half, &b);
     add_one(shot, any_kind(dice), &map, index & 2 ? 10 / sqrt(value) : 10 / value);
-    const struct ideal_vec inside = ideal_vec(map.m[0][2] * -DEPTH / 2, map.m[1][2] * -DEPTH / 2,
-                                              map.m[2][2] * -DEPTH / 2);
+    const struct ideal_vec inside =
+        ideal_vec(map.m[0][2] * -DEPTH / 2, map.m[1][2] * -DEPTH / 2, map.m[2][2] * -DEPTH / 2);
     shot_look(shot, inside, random_direction(dice), 40, 11, dice_pick(dice, 2));
 }
 
@@ -129,8 +128,9 @@ static const double offsets[] = {0, 1e-9, 1e-6, 1e-3};
 
 static void make_along(struct shot *shot, struct dice *dice, double value, int index)
 {
-    static const struct ideal_vec ways[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1},
-                                            {1, 1, 0}, {SIZE, 0, DEPTH}, {0, SIZE, -DEPTH}};
+    static const struct ideal_vec ways[] = {{1, 0, 0},        {0, -1, 0}, {0, 0, 1},
+                                            {0, 0, -1},       {1, 1, 0},  {SIZE, 0, DEPTH},
+                                            {0, SIZE, -DEPTH}};
     static const struct ideal_vec targets[] = {
         {0, 0, 0}, {0, 0, -DEPTH}, {SIZE, 0, 0}, {0, SIZE, 0}, {0, 0, -DEPTH / 2}};
     add_one(shot, (enum kind)(index % NUM_KINDS), &map_identity, 10);
@@ -148,10 +148,10 @@ static void make_eigen(struct shot *shot, struct dice *dice, double value, int i
 {
     const double e = 1 / value;
     const double forms[][5] = {
-        {1, 1, e, 0, -25},      {1, 1, -e, 0, -25}, {1, 1, -e, 0, 4},    {1, 1, e, 2, -9},
-        {1, 1, -e, 2, -9},      {1, e, 0, 2, -9},   {1, -e, 0, 2, -9},   {1, e, e, 0, -16},
-        {1, -e, -e, 0, -16},    {1, e, 0, 0, -16},  {1, -e, 0, 0, -16},  {1, -1, e, 1, -9},
-        {e, 1, 1, -2, -9 * e},  {1, 1, -e, 0, 0},
+        {1, 1, e, 0, -25},     {1, 1, -e, 0, -25}, {1, 1, -e, 0, 4},   {1, 1, e, 2, -9},
+        {1, 1, -e, 2, -9},     {1, e, 0, 2, -9},   {1, -e, 0, 2, -9},  {1, e, e, 0, -16},
+        {1, -e, -e, 0, -16},   {1, e, 0, 0, -16},  {1, -e, 0, 0, -16}, {1, -1, e, 1, -9},
+        {e, 1, 1, -2, -9 * e}, {1, 1, -e, 0, 0},
     };
     const struct map turned = map_turn(dice), box = map_move(0, 0, SIZE);
     shot_begin(shot, 10);

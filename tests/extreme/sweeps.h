@@ -12,7 +12,7 @@ struct sweep {
     const double *values;
     int num_values;
     int num_shots; /* different ones per value; more are repeated with other random numbers */
-    bool contacts;     /* solids that touch */
+    bool contacts; /* solids that touch */
     void (*make)(struct shot *shot, struct dice *dice, double value, int index);
 };
 

@@ -60,8 +60,8 @@ struct ideal_form ideal_quadric(struct ideal_vec center, real xx, real yy, real 
     form.q[0][3] = form.q[3][0] = -xx * center.x;
     form.q[1][3] = form.q[3][1] = -yy * center.y;
     form.q[2][3] = form.q[3][2] = -zz * center.z;
-    form.q[3][3] = constant + xx * center.x * center.x + yy * center.y * center.y +
-                   zz * center.z * center.z;
+    form.q[3][3] =
+        constant + xx * center.x * center.x + yy * center.y * center.y + zz * center.z * center.z;
     return form;
 }
 
@@ -76,7 +76,7 @@ void ideal_solid_place(struct ideal_solid *solid, struct ideal_vec move, bool mi
 {
     const real s = mirrored ? -1 : 1, by[3] = {move.x, move.y, move.z};
     for (int i = 0; i < solid->num; i++) {
-        real (*q)[4] = solid->forms[i].q;
+        real(*q)[4] = solid->forms[i].q;
         real old[4][4];
         for (int j = 0; j < 4; j++) {
             q[2][j] *= s;
@@ -307,8 +307,8 @@ struct ideal_hit ideal_trace(const struct ideal_scene *scene, const struct ideal
     while (i < num && events[i].t <= near.tnear)
         i++;
     const real start = isinf(near.tnear) ? (num ? events[0].t : 0) - 2 * scene->size : near.tnear;
-    hit.from_inside = contains(
-        scene, along(&near, i < num ? 0.5L * (start + events[i].t) : start + scene->size));
+    hit.from_inside =
+        contains(scene, along(&near, i < num ? 0.5L * (start + events[i].t) : start + scene->size));
     for (; i < num; i++) {
         const real next = i + 1 < num ? events[i + 1].t : events[i].t + scene->size;
         if (next - events[i].t < shortest)
@@ -346,8 +346,7 @@ bool ideal_is_edge(const struct ideal_scene *scene, const struct csgcast_frustum
     const struct ideal_hit here = ideal_trace(scene, &ray);
     for (int v = -2; v <= 2; v++)
         for (int u = -2; u <= 2; u++) {
-            ray = ideal_ray(scene, frustum, width, height, x + 0.5L * (1 + u),
-                            y + 0.5L * (1 + v));
+            ray = ideal_ray(scene, frustum, width, height, x + 0.5L * (1 + u), y + 0.5L * (1 + v));
             const struct ideal_hit there = ideal_trace(scene, &ray);
             if (!sees_same(scene, &here, &there))
                 return true;
@@ -362,7 +361,7 @@ double ideal_silhouette(const struct ideal_scene *scene, const struct csgcast_fr
     const bool hit = ideal_trace(scene, &ray).hit;
     for (real reach = 1e-10L; reach <= 1; reach *= 2)
         for (int i = 0; i < 8; i++) {
-            static const int steps[8][2] = {{1, 0},  {0, 1},  {-1, 0},  {0, -1},
+            static const int steps[8][2] = {{1, 0}, {0, 1},  {-1, 0}, {0, -1},
                                             {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
             ray = ideal_ray(scene, frustum, width, height, x + 0.5L + reach * steps[i][0],
                             y + 0.5L + reach * steps[i][1]);

@@ -36,10 +36,10 @@ struct ideal_solid {
 struct ideal_scene {
     int num_solids;
     struct ideal_solid solids[IDEAL_MAX_SOLIDS];
-    const char *rule;      /* postfix over solids a, b, ... with + - * for the Booleans */
-    real rotation[3][3];   /* from the space of the solids to the world */
+    const char *rule;    /* postfix over solids a, b, ... with + - * for the Booleans */
+    real rotation[3][3]; /* from the space of the solids to the world */
     struct ideal_vec move;
-    real size;             /* of the scene, in its own space */
+    real size; /* of the scene, in its own space */
 };
 
 /* In the space of the solids. A point of the ray is org + t dir, t along the view axis. */

@@ -68,8 +68,8 @@ static bool is_right(const struct picture *picture, size_t i, const struct ideal
     const struct ideal_vec point = ideal_add(ray->org, ideal_scale(z, ray->dir));
     if (ideal_form_distance(hit.form, point) > (real)tolerance->surface * ideal->size)
         return false;
-    const struct ideal_vec away = ideal_add(ideal_to_world(ideal, hit.normal),
-                                            ideal_scale(-1, ideal->move));
+    const struct ideal_vec away =
+        ideal_add(ideal_to_world(ideal, hit.normal), ideal_scale(-1, ideal->move));
     const float expected[3] = {(float)away.x, (float)away.y, (float)away.z};
     const double angle = picture_angle(expected, picture->normal + 3 * i);
     return (hit.from_inside ? 180 - angle : angle) <= tolerance->normal;

@@ -32,9 +32,9 @@ struct tolerance {
 
 struct verdict {
     size_t rays;
-    size_t wrong;     /* another surface, or none where there is one, or one where there is none */
-    size_t edge;      /* of these, those within a pixel of a silhouette or crease: not in wrong */
-    int x, y;         /* the first wrong pixel */
+    size_t wrong; /* another surface, or none where there is one, or one where there is none */
+    size_t edge;  /* of these, those within a pixel of a silhouette or crease: not in wrong */
+    int x, y;     /* the first wrong pixel */
 };
 
 /* Adds to verdict. */

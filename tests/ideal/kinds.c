@@ -4,8 +4,8 @@
 #include <math.h>
 
 const char *const kind_names[NUM_KINDS] = {
-    "cube",        "sphere",    "cylinder",   "frustum", "cone",       "ellipsoid", "tetrahedron",
-    "halfspace",   "hyperboloid", "sheets",   "paraboloid", "saddle",  "quadric",   "polygon",
+    "cube",      "sphere",      "cylinder", "frustum",    "cone",   "ellipsoid", "tetrahedron",
+    "halfspace", "hyperboloid", "sheets",   "paraboloid", "saddle", "quadric",   "polygon",
 };
 
 /* Text and construction of one kind, both about the origin, flat at z = 0 and below it. */
@@ -100,8 +100,8 @@ static void ideal_ellipsoid(struct ideal_solid *solid, double s, double h)
 {
     const real x = s, y = 0.75L * s, z = h;
     ideal_solid_add(solid, ideal_plane(0, 0, 1, 0));
-    ideal_solid_add(solid, ideal_quadric(ideal_vec(0, 0, -h / 4), 1 / (x * x), 1 / (y * y),
-                                         1 / (z * z), -1));
+    ideal_solid_add(
+        solid, ideal_quadric(ideal_vec(0, 0, -h / 4), 1 / (x * x), 1 / (y * y), 1 / (z * z), -1));
 }
 
 /* ---- cylinder, frustum and cone ---- */
@@ -121,8 +121,8 @@ static void ideal_rings(struct ideal_solid *solid, double h, double r1, double r
 {
     /* x^2 + y^2 <= (r2 + slope z)^2 */
     const real slope = ((real)r2 - r1) / h;
-    struct ideal_form form = ideal_quadric(ideal_vec(0, 0, 0), 1, 1, -slope * slope,
-                                           -(real)r2 * r2);
+    struct ideal_form form =
+        ideal_quadric(ideal_vec(0, 0, 0), 1, 1, -slope * slope, -(real)r2 * r2);
     form.q[2][3] = form.q[3][2] = -slope * r2;
     slab(solid, -h, 0);
     ideal_solid_add(solid, form);
@@ -239,8 +239,8 @@ static void ideal_hyperboloid(struct ideal_solid *solid, double s, double h)
 {
     const real r = s / 2, c = h / 2;
     slab(solid, -h, 0);
-    ideal_solid_add(solid, ideal_quadric(ideal_vec(0, 0, 0), 1 / (r * r), 1 / (r * r),
-                                         -1 / (c * c), -1));
+    ideal_solid_add(solid,
+                    ideal_quadric(ideal_vec(0, 0, 0), 1 / (r * r), 1 / (r * r), -1 / (c * c), -1));
 }
 
 /* Both bowls of two sheets, cut in the middle of the lower and above the tip of the upper one. */
@@ -258,8 +258,8 @@ static void ideal_sheets(struct ideal_solid *solid, double s, double h)
 {
     const real r = s / 4, c = h / 8;
     slab(solid, -h, 0);
-    ideal_solid_add(solid, ideal_quadric(ideal_vec(0, 0, -h / 2), 1 / (r * r), 1 / (r * r),
-                                         -1 / (c * c), 1));
+    ideal_solid_add(
+        solid, ideal_quadric(ideal_vec(0, 0, -h / 2), 1 / (r * r), 1 / (r * r), -1 / (c * c), 1));
 }
 
 static void put_paraboloid(struct text *text, double s, double h, enum text_digits digits)
@@ -410,8 +410,8 @@ static void put_alias(struct text *text, const struct ideal_solid *solid, enum t
 
 void flat_put(struct text *text, const struct flat *flat, const struct style *style)
 {
-    const struct map own = {{{1, 0, 0, flat->x}, {0, 1, 0, flat->y},
-                             {0, 0, flat->up ? -1 : 1, flat->z}}};
+    const struct map own = {
+        {{1, 0, 0, flat->x}, {0, 1, 0, flat->y}, {0, 0, flat->up ? -1 : 1, flat->z}}};
     struct map product = own;
     if (style->each && style->nested)
         map_put(text, style->each, style->digits);

@@ -113,10 +113,10 @@ static bool read_file(const char *path, const struct options *options, struct cs
     const char *dot = strrchr(path, '.');
     struct csg_bytes bytes = {0};
     const bool is_svg = dot && strcmp(dot, ".svg") == 0, is_amf = dot && strcmp(dot, ".amf") == 0;
-    const bool ok = csg_file_read(path, &bytes, &log) &&
-                    (is_amf   ? print_amf(&bytes)
-                     : is_svg ? read_svg(&bytes, options, drawing)
-                              : read_dxf(&bytes, options, drawing));
+    const bool ok =
+        csg_file_read(path, &bytes, &log) && (is_amf   ? print_amf(&bytes)
+                                              : is_svg ? read_svg(&bytes, options, drawing)
+                                                       : read_dxf(&bytes, options, drawing));
     free(bytes.data);
     return ok;
 }
@@ -156,8 +156,8 @@ static bool print_outline(const struct csg_drawing *drawing, bool is_union)
         }
     const bool ok =
         module && paths &&
-        module->combine(is_union ? CSG_CLIP_UNION : CSG_CLIP_CLEAN,
-                        (uint32_t)drawing->figures.num, paths, num, &sink) == CSG_CLIP_DONE;
+        module->combine(is_union ? CSG_CLIP_UNION : CSG_CLIP_CLEAN, (uint32_t)drawing->figures.num,
+                        paths, num, &sink) == CSG_CLIP_DONE;
     free(paths);
     return ok;
 }

@@ -190,9 +190,8 @@ static void check(struct run *run, const char *formula, const struct operands *o
     const bool is_made_of_cubes = strchr(formula, 'T') == NULL;
     struct csgcast_scene *expected = make_scene(formula, operands, is_made_of_cubes, name);
     struct csgcast_scene *scene = make_scene(formula, operands, false, name);
-    const struct csgcast_view views[3] = {aligned_view(dice, run->size),
-                                          random_view(dice, run->size),
-                                          inner_view(dice, run->size)};
+    const struct csgcast_view views[3] = {
+        aligned_view(dice, run->size), random_view(dice, run->size), inner_view(dice, run->size)};
     static const char *const names[3] = {"aligned", "random", "inner"};
     for (int i = 0; i < 3; i++) {
         if (!expected || !scene ||

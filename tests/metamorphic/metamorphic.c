@@ -16,9 +16,9 @@
 #include "twin/random_scene.h"
 
 /* Where the pair is drawn by different keys, or turned: float's noise. */
-#define MAX_DEPTH_ERROR 6e-6  /* relative */
-#define MAX_NORMAL_ERROR 0.1  /* degrees */
-#define MAX_EDGE_SHARE 2e-3   /* pixels that may differ within a pixel of an edge */
+#define MAX_DEPTH_ERROR 6e-6 /* relative */
+#define MAX_NORMAL_ERROR 0.1 /* degrees */
+#define MAX_EDGE_SHARE 2e-3  /* pixels that may differ within a pixel of an edge */
 
 /* Longer than any operand. */
 #define ALL "cube(size = 200, center = true);"
@@ -40,8 +40,8 @@ static const struct pair pairs[] = {
     {"permuted intersection", "intersection() { union() { A B } C }",
      "intersection() { C union() { B A } }", true},
     {"permuted cutters", "difference() { A B C }", "difference() { A C B }", true},
-    {"nested difference", "difference() { A B C }",
-     "difference() { difference() { A B } C }", true},
+    {"nested difference", "difference() { A B C }", "difference() { difference() { A B } C }",
+     true},
     {"cutters united", "difference() { A B C }", "difference() { A union() { B C } }", true},
     {"nested union", "union() { A union() { B C } }", "group() { group() { A B } group() { C } }",
      true},
@@ -204,8 +204,9 @@ static void put_motion(struct text *text, const struct motion *motion)
 {
     const double angle = motion->turn * 3.14159265358979323846 / 180, s = motion->scale;
     const double side = motion->mirror ? -1 : 1;
-    text_put(text, "multmatrix([[%.17g, %.17g, 0, %.17g], [%.17g, %.17g, 0, %.17g], "
-                   "[0, 0, %.17g, %.17g], [0, 0, 0, 1]])\n",
+    text_put(text,
+             "multmatrix([[%.17g, %.17g, 0, %.17g], [%.17g, %.17g, 0, %.17g], "
+             "[0, 0, %.17g, %.17g], [0, 0, 0, 1]])\n",
              side * s * cos(angle), -s * sin(angle), motion->move[0], side * s * sin(angle),
              s * cos(angle), motion->move[1], s, motion->move[2]);
 }

@@ -33,8 +33,8 @@ static bool check_crop(struct run *run, const struct csgcast_scene *scene, struc
     bool drawn = picture_render(run->renderer, scene, &view, &run->second);
     crop(&run->second, size);
     view.width = view.height = size;
-    view.camera.fov = 2 * atan(0.5 * tan(0.5 * view.camera.fov / 57.29577951308232)) *
-                      57.29577951308232;
+    view.camera.fov =
+        2 * atan(0.5 * tan(0.5 * view.camera.fov / 57.29577951308232)) * 57.29577951308232;
     drawn = drawn && picture_render(run->renderer, scene, &view, &run->first);
     return drawn && judge(run, full, size, false);
 }
@@ -49,8 +49,8 @@ static bool check_tiles(struct run *run, const struct csgcast_scene *scene,
         char full[120];
         snprintf(full, sizeof full, "%s tiles of %s", name, sizes[i]);
         setenv("CSGCAST_TILE_SIZE", sizes[i], 1);
-        struct csgcast_renderer *renderer = csgcast_renderer_create(
-            &(struct csgcast_renderer_params){.backend = run->backend});
+        struct csgcast_renderer *renderer =
+            csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = run->backend});
         unsetenv("CSGCAST_TILE_SIZE");
         ok = renderer && picture_render(renderer, scene, view, &run->second) &&
              judge(run, full, run->size, true);
@@ -103,8 +103,8 @@ static bool check_stretch(struct run *run, const struct csgcast_scene *scene,
     struct csgcast_scene *stretched = parse(&text, full);
     bool ok = stretched && picture_render(run->renderer, scene, &view, &run->first);
     view.camera.distance *= s;
-    view.camera.fov = 2 * atan(tan(0.5 * view.camera.fov / 57.29577951308232) / s) *
-                      57.29577951308232;
+    view.camera.fov =
+        2 * atan(tan(0.5 * view.camera.fov / 57.29577951308232) / s) * 57.29577951308232;
     ok = ok && picture_render(run->renderer, stretched, &view, &run->second);
     undo_stretch(&run->second, run->size * run->size, frustum.forward, s);
     ok = ok && judge(run, full, run->size, false);

@@ -75,8 +75,8 @@ struct csgcast_frustum camera_frustum(const struct csgcast_view *view, const str
         const struct csg_vec3 center = csg_scale(0.5, csg_add(box->lo, box->hi));
         if (camera->autocenter || is_default)
             gimbal.trans = csg_scale(-1, center);
-        const double radius = csg_length(csg_add(center, gimbal.trans)) +
-                              csg_length(csg_sub(box->hi, box->lo)) / 2;
+        const double radius =
+            csg_length(csg_add(center, gimbal.trans)) + csg_length(csg_sub(box->hi, box->lo)) / 2;
         gimbal.distance = radius / sin(half_fov);
     }
 

@@ -57,8 +57,7 @@ static bool is_background(const struct ppm *picture, const unsigned char backgro
 }
 
 /* Whether the 3x3 pixels around (x, y) are all background or all not. */
-static bool is_uniform(const struct ppm *picture, const unsigned char background[3], int x,
-                       int y)
+static bool is_uniform(const struct ppm *picture, const unsigned char background[3], int x, int y)
 {
     int num = 0;
     for (int i = 0; i < 9; i++)
@@ -111,8 +110,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "pngcmp: bad option %s\n", argv[next]);
         return 2;
     }
-    if (argc - next != 2 || !ppm_read(argv[next], &ours) ||
-        !ppm_read(argv[next + 1], &theirs))
+    if (argc - next != 2 || !ppm_read(argv[next], &ours) || !ppm_read(argv[next + 1], &theirs))
         return 2;
     if (ours.width != theirs.width || ours.height != theirs.height) {
         fprintf(stderr, "pngcmp: %dx%d against %dx%d pixels\n", ours.width, ours.height,

@@ -95,7 +95,7 @@ static void test_edges(const struct csg_soup *mesh, struct csg_caster *caster)
         for (int k = 0; k < 2; k++) {
             const struct csg_vec3 out = csg_sub(targets[k], inside);
             const struct csg_mesh_ray ray = {.org = csg_add(inside, csg_scale(9, out)),
-                                    .dir = csg_scale(-1, out)};
+                                             .dir = csg_scale(-1, out)};
             const struct csg_mesh_hit hit = csg_caster_trace(caster, &ray);
             num_lost += !hit.found || fabs(hit.t - 8) > 1e-9;
         }
@@ -170,8 +170,8 @@ static void test_compare(const struct csg_soup *mesh, struct csg_caster *caster)
 int main(void)
 {
     struct csg_triangle triangles[num_triangles];
-    struct csg_soup mesh = {.triangles = triangles, .num_triangles = num_triangles,
-                        .bounds = csg_box_empty};
+    struct csg_soup mesh = {
+        .triangles = triangles, .num_triangles = num_triangles, .bounds = csg_box_empty};
     make_prism(triangles);
     for (int i = 0; i < num_triangles * 3; i++)
         csg_box_extend(&mesh.bounds, triangles[i / 3].corner[i % 3]);

@@ -101,8 +101,12 @@ static int check_many_leaves(void)
 static int check_depth(void)
 {
     static const char *const openings[] = {
-        "group(){",       "difference(){",     "%union(){",
-        "#difference(){", "color([1,0,0,1]){", "translate([0,0,0])",
+        "group(){",
+        "difference(){",
+        "%union(){",
+        "#difference(){",
+        "color([1,0,0,1]){",
+        "translate([0,0,0])",
         "difference(){sphere(0);#union(){",
     };
     int num_failed = 0;

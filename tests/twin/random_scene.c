@@ -70,16 +70,22 @@ static void put_solid(struct writer *writer)
         put(writer, "sphere($fn = 0, $fa = 12, $fs = 2, r = %.9g);\n", a);
         break;
     case 3:
-        put(writer, "cylinder($fn = 0, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = %.9g, "
-                    "center = %s);\n", a, b, b, center);
+        put(writer,
+            "cylinder($fn = 0, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = %.9g, "
+            "center = %s);\n",
+            a, b, b, center);
         break;
     case 4:
-        put(writer, "cylinder($fn = 0, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = %.9g, "
-                    "center = %s);\n", a, b, c, center);
+        put(writer,
+            "cylinder($fn = 0, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = %.9g, "
+            "center = %s);\n",
+            a, b, c, center);
         break;
     case 5:
-        put(writer, "cylinder($fn = 6, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = 0, "
-                    "center = %s);\n", a, b, center);
+        put(writer,
+            "cylinder($fn = 6, $fa = 12, $fs = 2, h = %.9g, r1 = %.9g, r2 = 0, "
+            "center = %s);\n",
+            a, b, center);
         break;
     case 6:
         put(writer, "ellipsoid(r = [%.9g, %.9g, %.9g]);\n", a, b, c);
@@ -107,10 +113,9 @@ static void put_transform(struct writer *writer)
 {
     const double x = number(writer, -6, 6), y = number(writer, -6, 6), z = number(writer, -6, 6);
     if (writer->params->grid) {
-        static const char *const turns[] = {"1,0,0,%.9g],[0,1,0,%.9g],[0,0,1,%.9g",
-                                            "0,-1,0,%.9g],[1,0,0,%.9g],[0,0,1,%.9g",
-                                            "1,0,0,%.9g],[0,0,-1,%.9g],[0,1,0,%.9g",
-                                            "-1,0,0,%.9g],[0,1,0,%.9g],[0,0,1,%.9g"};
+        static const char *const turns[] = {
+            "1,0,0,%.9g],[0,1,0,%.9g],[0,0,1,%.9g", "0,-1,0,%.9g],[1,0,0,%.9g],[0,0,1,%.9g",
+            "1,0,0,%.9g],[0,0,-1,%.9g],[0,1,0,%.9g", "-1,0,0,%.9g],[0,1,0,%.9g],[0,0,1,%.9g"};
         put(writer, "multmatrix([[");
         put(writer, turns[pick(writer, 4)], x, y, z);
         put(writer, "],[0,0,0,1]]) ");
@@ -119,8 +124,9 @@ static void put_transform(struct writer *writer)
     double m[9];
     for (int i = 0; i < 9; i++)
         m[i] = random_between(writer->random, -0.7, 0.7) + (i % 4 == 0 ? 0.6 : 0);
-    put(writer, "multmatrix([[%.9g,%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g,%.9g],"
-                "[%.9g,%.9g,%.9g,%.9g],[0,0,0,1]]) ",
+    put(writer,
+        "multmatrix([[%.9g,%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g,%.9g],"
+        "[%.9g,%.9g,%.9g,%.9g],[0,0,0,1]]) ",
         m[0], m[1], m[2], x, m[3], m[4], m[5], y, m[6], m[7], m[8], z);
 }
 

@@ -15,10 +15,10 @@ struct random_state {
 double random_between(struct random_state *random, double lo, double hi);
 
 struct random_params {
-    int depth;       /* of the Boolean tree, at most */
-    int leaves;      /* at most */
-    int grid; /* sizes and places are multiples of 1 / grid, so that faces coincide; 0: not */
-    int bounded;     /* leave unbounded solids out */
+    int depth;   /* of the Boolean tree, at most */
+    int leaves;  /* at most */
+    int grid;    /* sizes and places are multiples of 1 / grid, so that faces coincide; 0: not */
+    int bounded; /* leave unbounded solids out */
 };
 
 /* malloc'ed, zero-terminated. */

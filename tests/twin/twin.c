@@ -18,9 +18,9 @@
 #include "random_scene.h"
 
 /* Float bounds that every pixel off an edge must hold. */
-#define MAX_DEPTH_ERROR 4e-6   /* relative */
-#define MAX_NORMAL_ERROR 0.1   /* degrees */
-#define MAX_EDGE_SHARE 2e-3    /* share of the pixels that may differ within a pixel of an edge */
+#define MAX_DEPTH_ERROR 4e-6 /* relative */
+#define MAX_NORMAL_ERROR 0.1 /* degrees */
+#define MAX_EDGE_SHARE 2e-3  /* share of the pixels that may differ within a pixel of an edge */
 
 /* The same for the textbook's float, with the eye a few radii away. */
 #define MAX_TEXTBOOK_DEPTH 5e-5
@@ -162,8 +162,8 @@ static bool check_view(struct csgcast_renderer *reference, struct csgcast_render
             ok = false;
             break;
         }
-        const struct result r = compare(&expected, &got, view->width,
-                                        textbook ? MAX_TEXTBOOK_DEPTH : MAX_DEPTH_ERROR);
+        const struct result r =
+            compare(&expected, &got, view->width, textbook ? MAX_TEXTBOOK_DEPTH : MAX_DEPTH_ERROR);
         const double share = textbook ? MAX_TEXTBOOK_SHARE : MAX_EDGE_SHARE;
         if (r.wrong || (double)r.edge > share * (double)r.pixels + 2) {
             printf("FAIL %s %s: %zu wrong, %zu at edges of %zu; depth %.2g, normal %.2g deg\n",

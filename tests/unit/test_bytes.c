@@ -31,7 +31,8 @@ static const struct example examples[] = {
      "color([0.1, 0.9, 0.3, 1]) cube([1, 2, 3]); color([1, 0.5, 0.2, 1]) multmatrix([[1, 0, 0, 4], "
      "[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) cylinder(h = 3, r1 = 2, r2 = 0);",
      256, 256, NULL},
-    {"an extrusion, in tiles", "difference() { cube([40, 40, 2]); linear_extrude(height = 9) "
+    {"an extrusion, in tiles",
+     "difference() { cube([40, 40, 2]); linear_extrude(height = 9) "
      "polygon(points = [[1, 1], [9, 2], [8, 4], [12, 9], [5, 11], [3, 7]], paths = undef); "
      "sphere(r = 3); multmatrix([[1, 0, 0, 20], [0, 1, 0, 9], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cylinder(h = 9, r1 = 3, r2 = 5); }",

@@ -46,11 +46,11 @@ static double coordinate(int num)
 
 static void random_matrix(bool may_vanish, double matrix[16])
 {
-    static const double turns[4][2] = {
-        {1, 0}, {0, 1}, {0.707107, 0.707107}, {0.7071, 0.707113}};
+    static const double turns[4][2] = {{1, 0}, {0, 1}, {0.707107, 0.707107}, {0.7071, 0.707113}};
     const double *turn = turns[pick(4)];
-    const double values[16] = {turn[0], -turn[1], 0, coordinate(12), turn[1], turn[0], 0,
-                               coordinate(12), 0, 0, 1, coordinate(6), 0, 0, 0, 1};
+    const double values[16] = {
+        turn[0], -turn[1], 0, coordinate(12), turn[1], turn[0], 0, coordinate(12),
+        0,       0,        1, coordinate(6),  0,       0,       0, 1};
     memcpy(matrix, values, sizeof values);
     if (pick(20) == 0)
         matrix[3] += 1000; /* beyond the index */

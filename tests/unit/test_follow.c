@@ -11,7 +11,8 @@ static struct csgcast_scene *parse(const char *text)
 {
     const struct csgcast_scene_params params = {.editable = true};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
-    CHECK(scene && csgcast_scene_set_parameters(scene, 0, "1"), "no scene"); /* what is kept is there */
+    CHECK(scene && csgcast_scene_set_parameters(scene, 0, "1"),
+          "no scene"); /* what is kept is there */
     return scene;
 }
 

@@ -41,7 +41,8 @@ static void test_scenes(void)
 static void test_views(struct csgcast_scene *scene)
 {
     const struct csgcast_view kind = {.camera = {.kind = (enum csgcast_camera_kind)3}};
-    const struct csgcast_view projection = {.camera = {.projection = (enum csgcast_projection)-1}};
+    const struct csgcast_view projection = {
+        .camera = {.projection = (enum csgcast_projection) - 1}};
     const struct csgcast_view color = {.cut_color = (enum csgcast_cut_color)2};
     struct csgcast_frustum frustum;
     FAILS(csgcast_view_resolve(scene, &kind, &frustum));

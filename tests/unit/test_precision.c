@@ -126,7 +126,8 @@ static void check_cpu(struct csgcast_renderer *with, struct csgcast_renderer *wi
     const struct csgcast_view view = view_of(choice->eye, choice->center);
     CHECK(csgcast_render(with, scene, &view, &(struct csgcast_image){.z = z[0]}), "double");
     CHECK(csgcast_render(without, scene, &view,
-                         &(struct csgcast_image){.z = z[1], .rgba8 = colors[0]}), "CPU");
+                         &(struct csgcast_image){.z = z[1], .rgba8 = colors[0]}),
+          "CPU");
     CHECK(csgcast_render(without, scene, &view, &(struct csgcast_image){.rgba8 = colors[1]}),
           "colours alone");
     CHECK(memcmp(colors[0], colors[1], sizeof colors[0]) == 0, "the same colours");

@@ -69,8 +69,8 @@ static void test_failure(void)
     static uint8_t bytes[NUM];
     static float z[NUM / 4];
     struct heard heard = {.thread = pthread_self()};
-    const struct csgcast_renderer_params params = {.background = true, .log = hear,
-                                                   .log_user = &heard};
+    const struct csgcast_renderer_params params = {
+        .background = true, .log = hear, .log_user = &heard};
     struct csgcast_scene *scene = make_scene();
     setenv("CSGCAST_EGL_DEVICE", "4711", 1);
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);

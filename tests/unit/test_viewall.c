@@ -31,7 +31,8 @@ int main(void)
     test_alike("difference() { cube(10); rotate_extrude($fn = 20) " AT "circle(r = 3, $fn = 6); }",
                cube);
     test_alike("difference() { cube(10); linear_extrude(height = 50) difference() {"
-               "square(90); square(80); } }", cube);
+               "square(90); square(80); } }",
+               cube);
     test_alike("difference() { cube(10); render() difference() { cube(90); cube(80); } }", cube);
     /* Taken away twice, the ring is there again, and is framed as a ring. */
     test_alike("difference() { cube(200); difference() { cube(200); rotate_extrude() " AT

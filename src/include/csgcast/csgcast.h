@@ -91,28 +91,28 @@ enum csgcast_facets {
 };
 
 struct csgcast_scene_params {
-    const char *name;            /* file name in messages. NULL: the path, or "<memory>" */
-    enum csgcast_facets facets;  /* default AUTO */
-    bool skip_unsupported;       /* leave unsupported nodes out, with a warning for each */
-    const char *const *defines;  /* num_defines texts "name=value", passed to openscad as -D */
-    size_t num_defines;          /* default 0 */
-    const char *parameter_file;  /* a customizer's JSON file, openscad's -p, and */
-    const char *parameter_set;   /* the name of the set in it, -P. NULL: none */
-    const char *const *fonts;    /* num_fonts font files for text() besides the machine's, as
+    const char *name;           /* file name in messages. NULL: the path, or "<memory>" */
+    enum csgcast_facets facets; /* default AUTO */
+    bool skip_unsupported;      /* leave unsupported nodes out, with a warning for each */
+    const char *const *defines; /* num_defines texts "name=value", passed to openscad as -D */
+    size_t num_defines;         /* default 0 */
+    const char *parameter_file; /* a customizer's JSON file, openscad's -p, and */
+    const char *parameter_set;  /* the name of the set in it, -P. NULL: none */
+    const char *const *fonts;   /* num_fonts font files for text() besides the machine's, as
                                   * OpenSCAD's use <x.ttf>; those that a .scad uses are known */
-    size_t num_fonts;            /* default 0 */
-    const char *directory;       /* where relative file names in the scene start. NULL: that of the
+    size_t num_fonts;           /* default 0 */
+    const char *directory;      /* where relative file names in the scene start. NULL: that of the
                                   * path; the working directory for text in memory and "-" */
-    const char *openscad;        /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
-    bool editable;               /* edits will follow: small objects keep what does not show */
-    bool no_handoff; /* subtrees that only openscad can evaluate are unsupported instead */
-    const char *cache;           /* directory for what openscad made of them; "": none. NULL:
+    const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
+    bool editable;              /* edits will follow: small objects keep what does not show */
+    bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
+    const char *cache;   /* directory for what openscad made of them; "": none. NULL:
                                   * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
-    uint64_t cache_size;         /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
-    csgcast_log_fn *log;         /* NULL: standard error */
-    void *log_user;              /* passed to log */
-    int num_threads;             /* that read it, as in csgcast_renderer_params */
-    bool fixed;                  /* no edits will follow: the text, which they start from, is not
+    uint64_t cache_size; /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
+    csgcast_log_fn *log; /* NULL: standard error */
+    void *log_user;      /* passed to log */
+    int num_threads;     /* that read it, as in csgcast_renderer_params */
+    bool fixed;          /* no edits will follow: the text, which they start from, is not
                                   * kept, and they are errors. Not heeded where editable */
 };
 
@@ -140,12 +140,11 @@ CSGCAST_API void csgcast_scene_destroy(struct csgcast_scene *scene);
  */
 struct csgcast_animation;
 CSGCAST_API struct csgcast_animation *
-csgcast_animation_load(const char *path, int num_frames,
-                       const struct csgcast_scene_params *params);
+csgcast_animation_load(const char *path, int num_frames, const struct csgcast_scene_params *params);
 
 /* The scene of a frame, from 0; the caller destroys it. NULL on error. */
-CSGCAST_API struct csgcast_scene *
-csgcast_animation_scene(const struct csgcast_animation *animation, int frame);
+CSGCAST_API struct csgcast_scene *csgcast_animation_scene(const struct csgcast_animation *animation,
+                                                          int frame);
 
 CSGCAST_API void csgcast_animation_destroy(struct csgcast_animation *animation);
 
@@ -165,8 +164,8 @@ enum csgcast_way {
 /* Nodes of one name that come about in one way; of CSGCAST_WAY_OPENSCAD each for itself. */
 struct csgcast_scene_way {
     enum csgcast_way way;
-    const char *name;      /* of the node, e.g. "cylinder" */
-    const char *reason;    /* why it is not exact; NULL where it is */
+    const char *name;   /* of the node, e.g. "cylinder" */
+    const char *reason; /* why it is not exact; NULL where it is */
     size_t num_nodes;
     size_t num_leaves;     /* that they became; 0 for a drawing, which is part of other nodes */
     unsigned line, column; /* of the first of them; of .scad: in the flattened text */
@@ -192,11 +191,11 @@ struct csgcast_scene_info {
     size_t max_crossings;   /* most boundary crossings that one ray can have */
     size_t num_kinds;       /* entries in kinds */
     const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
-    size_t num_triangles;   /* of the leaves that are surfaces of triangles */
-    size_t num_handed_off;  /* nodes that openscad has evaluated */
-    size_t num_rounded;     /* numbers of the text that may be rounded to six digits, as OpenSCAD
+    size_t num_triangles;                   /* of the leaves that are surfaces of triangles */
+    size_t num_handed_off;                  /* nodes that openscad has evaluated */
+    size_t num_rounded; /* numbers of the text that may be rounded to six digits, as OpenSCAD
                              * writes them; .scad: 0 where it could be made to write all */
-    size_t num_ways;        /* entries in ways */
+    size_t num_ways;    /* entries in ways */
     const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
 };
 
@@ -224,10 +223,10 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
  */
 struct csgcast_leaf {
-    const char *kind;       /* of the node, e.g. "cylinder"; static */
-    unsigned line, column;  /* of the node in the text, from 1; of .scad: in the flattened text */
-    size_t first, num;      /* the leaves of its node: itself, but for nodes with several */
-    bool empty;             /* an edit left nothing of it; it keeps its index */
+    const char *kind;      /* of the node, e.g. "cylinder"; static */
+    unsigned line, column; /* of the node in the text, from 1; of .scad: in the flattened text */
+    size_t first, num;     /* the leaves of its node: itself, but for nodes with several */
+    bool empty;            /* an edit left nothing of it; it keeps its index */
     /* From the solid's own space (docs/solids.md) to the world: the product of all matrices around
      * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
     double matrix[16];
@@ -285,10 +284,10 @@ CSGCAST_API bool csgcast_scene_set_color(struct csgcast_scene *scene, size_t lea
  * be cleared or deleted at any time, and several processes may use it at once.
  */
 struct csgcast_cache_info {
-    char path[4096];    /* the directory; empty: there is none, as no home directory is known */
+    char path[4096]; /* the directory; empty: there is none, as no home directory is known */
     size_t num_entries;
-    uint64_t size;      /* bytes in use */
-    uint64_t limit;     /* bytes allowed by the environment */
+    uint64_t size;  /* bytes in use */
+    uint64_t limit; /* bytes allowed by the environment */
 };
 
 /* directory: as cache in struct csgcast_scene_params. false: nothing was ever stored there. */
@@ -316,9 +315,9 @@ struct csgcast_camera {
     double eye[3];       /* VECTOR */
     double center[3];    /* VECTOR: the point looked at; up is as close to +z as can be */
     enum csgcast_projection projection; /* default perspective */
-    double fov;          /* vertical, degrees, 0 < fov < 180. 0: 22.5 as OpenSCAD */
-    bool viewall;        /* move the eye so that the whole scene is in view */
-    bool autocenter;     /* with viewall: look at the centre of the scene's box */
+    double fov;                         /* vertical, degrees, 0 < fov < 180. 0: 22.5 as OpenSCAD */
+    bool viewall;                       /* move the eye so that the whole scene is in view */
+    bool autocenter;                    /* with viewall: look at the centre of the scene's box */
 };
 
 /* Whose colour shades a face that a subtracted solid has cut. */
@@ -328,11 +327,11 @@ enum csgcast_cut_color {
 };
 
 struct csgcast_view {
-    int width, height;            /* pixels, 1 to 16384. 0: 512 */
+    int width, height; /* pixels, 1 to 16384. 0: 512 */
     struct csgcast_camera camera;
-    const char *colorscheme;      /* a name of csgcast_colorscheme_name. NULL: "Cornfield" */
+    const char *colorscheme; /* a name of csgcast_colorscheme_name. NULL: "Cornfield" */
     enum csgcast_cut_color cut_color;
-    const char *variant;          /* resolver: NULL or "auto", or one of csgcast_variant_name */
+    const char *variant; /* resolver: NULL or "auto", or one of csgcast_variant_name */
 };
 
 /* The names of the colour schemes, index 0 the default; NULL past the last. */
@@ -397,17 +396,16 @@ CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *ren
  * is the one through which the ray leaves it.
  */
 struct csgcast_image {
-    float *rgba;   /* width * height * 4: colour as OpenSCAD shows it, 0 to 1, alpha 1 */
-    float *z;      /* width * height: distance along the view axis, infinity on a miss */
-    float *normal; /* width * height * 3: unit, world space, out of the solid, 0 on a miss */
-    float *id;     /* width * height: index of the visible leaf in file order, -1 on a miss */
+    float *rgba;    /* width * height * 4: colour as OpenSCAD shows it, 0 to 1, alpha 1 */
+    float *z;       /* width * height: distance along the view axis, infinity on a miss */
+    float *normal;  /* width * height * 3: unit, world space, out of the solid, 0 on a miss */
+    float *id;      /* width * height: index of the visible leaf in file order, -1 on a miss */
     uint8_t *rgba8; /* width * height * 4: rgba * 255, rounded; without rgba the cheaper one */
 };
 
 /* Blocks until image is filled. false, with a message, on failure: image is then undefined. */
 CSGCAST_API bool csgcast_render(struct csgcast_renderer *renderer,
-                                const struct csgcast_scene *scene,
-                                const struct csgcast_view *view,
+                                const struct csgcast_scene *scene, const struct csgcast_view *view,
                                 const struct csgcast_image *image);
 
 /* Solids of one kind that are drawn by themselves, by programs for a single solid (Toledo and Levy
@@ -424,19 +422,19 @@ struct csgcast_kind_waste {
 
 /* What the last csgcast_render of this renderer did. */
 struct csgcast_stats {
-    char variants[256];      /* resolvers used, with the number of objects each drew */
-    size_t texture_bytes;    /* the float texture: parameters and programs */
-    size_t bytes_uploaded;   /* in this frame */
-    size_t programs;         /* shader programs that this renderer has compiled so far */
-    double compile_ms;       /* spent compiling them, of that this frame's part */
-    double cpu_ms;           /* preparing this frame in double precision */
-    double frame_ms;         /* the whole call */
-    size_t objects_drawn;    /* the others are outside the view */
-    size_t proxy_pixels;     /* pixels covered by the objects' bounds, overlaps counted */
-    size_t hit_pixels;       /* pixels that show a solid, where has_hit_pixels */
-    size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
-    size_t precise_objects;  /* drawn in double, where float does not hold them */
-    char numerics[1024];     /* which, and why: a line for each, as many as fit; "": none */
+    char variants[256];        /* resolvers used, with the number of objects each drew */
+    size_t texture_bytes;      /* the float texture: parameters and programs */
+    size_t bytes_uploaded;     /* in this frame */
+    size_t programs;           /* shader programs that this renderer has compiled so far */
+    double compile_ms;         /* spent compiling them, of that this frame's part */
+    double cpu_ms;             /* preparing this frame in double precision */
+    double frame_ms;           /* the whole call */
+    size_t objects_drawn;      /* the others are outside the view */
+    size_t proxy_pixels;       /* pixels covered by the objects' bounds, overlaps counted */
+    size_t hit_pixels;         /* pixels that show a solid, where has_hit_pixels */
+    size_t unfinished_pixels;  /* too much for a fragment program: cast on the CPU instead */
+    size_t precise_objects;    /* drawn in double, where float does not hold them */
+    char numerics[1024];       /* which, and why: a line for each, as many as fit; "": none */
     size_t overflowed_objects; /* too large for the variant that was forced: the loop drew them */
     /* Solids in the programs of the rectangles that were drawn, times their pixels; divided by
      * proxy_pixels: tests per pixel. */
@@ -466,9 +464,9 @@ struct csgcast_metadata {
 };
 
 struct csgcast_write_params {
-    const char *format;  /* "png", "exr", ... NULL: the path's extension */
+    const char *format; /* "png", "exr", ... NULL: the path's extension */
     int bits; /* per channel: 8, 16, or 32 for float. 0: 32 for EXR, HDR, Z N id; else 8 */
-    bool write_z, write_normal, write_id; /* EXR and TIFF: float channels besides R G B A */
+    bool write_z, write_normal, write_id;    /* EXR and TIFF: float channels besides R G B A */
     const struct csgcast_metadata *metadata; /* num_metadata texts kept in the file */
     size_t num_metadata;
     csgcast_log_fn *log; /* NULL: standard error */
