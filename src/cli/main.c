@@ -142,7 +142,8 @@ static enum csg_cli_exit run_command(const struct csg_cli_command *command, int 
     return result;
 }
 
-/* glibc gives threads heaps that grow by the page, each a system call: a tenth of a first picture. */
+/* glibc gives threads heaps that grow by the page, each a system call: a tenth of a first
+ * picture. */
 static void share_heap(void)
 {
 #ifdef M_ARENA_MAX

@@ -72,8 +72,8 @@ void csg_crowd_recolor_object(struct csg_crowd *crowd, const struct csgcast_scen
 
 /*
  * After an edit that has changed what these objects look like, but neither their structure nor
- * which of them share carriers: looks at them again. members: of csg_crowd_list_members. false, with
- * nothing changed: one of them belongs into another class.
+ * which of them share carriers: looks at them again. members: of csg_crowd_list_members. false,
+ * with nothing changed: one of them belongs into another class.
  */
 bool csg_crowd_follow(struct csg_crowd *crowd, const struct csgcast_scene *scene,
                       const uint32_t *objects, size_t num, const uint32_t *members);

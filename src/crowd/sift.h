@@ -12,7 +12,8 @@
 #include "crowd/relief.h"
 #include "pack/frame.h"
 
-/* Takes them from frame->listed. base: what the crowd hides; NULL: nothing. false: out of memory. */
+/* Takes them from frame->listed. base: what the crowd hides; NULL: nothing. false: out of
+ * memory. */
 bool csg_sift(struct csg_frame *frame, const struct csgcast_scene *scene,
               const struct csg_relief *base);
 

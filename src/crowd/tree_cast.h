@@ -31,8 +31,8 @@ bool csg_tree_cast_init(struct csg_tree_cast *tree, const struct csg_frame *fram
                         const struct csgcast_scene *scene, const struct csg_object *object,
                         const struct csg_cast_rect *rect, float noise);
 
-/* At num pixels of a row, at (dx + i, dy): keys[i], of which CSG_CAST_LANES can be read, is what hides
- * what is behind it; notes what the object certainly hides. Whether it may show at any. */
+/* At num pixels of a row, at (dx + i, dy): keys[i], of which CSG_CAST_LANES can be read, is what
+ * hides what is behind it; notes what the object certainly hides. Whether it may show at any. */
 bool csg_tree_cast_draw(const struct csg_tree_cast *tree, float dx, float dy, int num, float *keys);
 
 #endif

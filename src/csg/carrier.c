@@ -91,7 +91,8 @@ static bool assign_all(struct csg_carrier_builder *builder)
     return true;
 }
 
-/* Whether each object is one leaf, and all of a quadric that can be seen is the leaf it came from. */
+/* Whether each object is one leaf, and all of a quadric that can be seen is the leaf it came
+ * from. */
 static bool are_boxes_of_leaves(const struct csgcast_scene *scene,
                                 const struct csg_carriers *carriers)
 {

@@ -21,8 +21,8 @@ struct csg_leaf_extent {
 };
 
 /*
- * The order in which faces get their carriers: the largest leaf's first, of the earlier leaf, in its
- * own order. A face lies on the first carrier that it may lie on, and only one before itself.
+ * The order in which faces get their carriers: the largest leaf's first, of the earlier leaf, in
+ * its own order. A face lies on the first carrier that it may lie on, and only one before itself.
  * Leaves within a sixteenth of an octave in size count as equal: what follows goes through large
  * scenes in the order of their file then, and so of memory, most of the time.
  */
@@ -89,7 +89,8 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder);
  * coarsely: most edits stay within that. */
 #define CSG_CARRIER_ROOM 2.0
 
-/* Whether the leaf is of those whose edits can be followed, and whether the index has room for it. */
+/* Whether the leaf is of those whose edits can be followed, and whether the index has room for
+ * it. */
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf);
 bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf);
 

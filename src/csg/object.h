@@ -33,8 +33,8 @@ bool csg_objects_split(const struct csgcast_scene *scene, struct csg_objects *ob
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,
                                           const struct csg_object *object);
 
-/* Whether the object is one node, such as an extrusion, or in one render(): OpenSCAD's preview has a
- * mesh of it, not a product of solids. */
+/* Whether the object is one node, such as an extrusion, or in one render(): OpenSCAD's preview has
+ * a mesh of it, not a product of solids. */
 bool csg_object_is_one_node(const struct csgcast_scene *scene, const struct csg_object *object);
 
 /* The box of one leaf in world space. */

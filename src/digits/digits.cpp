@@ -9,14 +9,14 @@
  * both have been seen at work, the file's last line says that no number in it is rounded
  * (src/scene/digits.h); what another version of openscad prints in other ways stays as it is.
  *
- * Where such a file is the only one, openscad ends with it, at once: in a large scene a tenth of the
- * time passes before its memory is free.
+ * Where such a file is the only one, openscad ends with it, at once: in a large scene a tenth of
+ * the time passes before its memory is free.
  *
  * A third one stands in front of fontconfig's FcConfigAppFontAddFile, by which openscad takes what
  * use <x.ttf> names, and notes the file's name in that folder.
  *
- * It needs nothing but libc and libm, so that it can be loaded into any program; where it cannot, ld.so
- * leaves it out.
+ * It needs nothing but libc and libm, so that it can be loaded into any program; where it cannot,
+ * ld.so leaves it out.
  */
 #include <climits>
 #include <cmath>

@@ -14,9 +14,9 @@ struct csg_buffer {
 };
 
 /*
- * Writes data from the buffer's beginning on; nothing is drawn from it any more. keeps: frames after
- * it will differ in little, as those of scenes that are edited do: what it holds is copied, and only
- * what has changed since is handed over. Returns how many bytes were.
+ * Writes data from the buffer's beginning on; nothing is drawn from it any more. keeps: frames
+ * after it will differ in little, as those of scenes that are edited do: what it holds is copied,
+ * and only what has changed since is handed over. Returns how many bytes were.
  */
 size_t csg_buffer_fill(struct csg_gl *gl, GLenum target, struct csg_buffer *buffer, size_t bytes,
                        const void *data, bool keeps);

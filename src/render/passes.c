@@ -51,7 +51,8 @@ static bool is_in_band(const struct csg_picture *picture, const struct csg_draw 
                picture->first_row + picture->num_rows + 1;
 }
 
-/* Of a large picture's tiles, each band has a few: those that follow each other are drawn at once. */
+/* Of a large picture's tiles, each band has a few: those that follow each other are drawn at
+ * once. */
 static void draw_batch(const struct csg_picture *picture, const struct csg_batch *batch)
 {
     const struct csg_draw *draws = picture->renderer->frame.draws.data;

@@ -15,7 +15,8 @@
  * <x.ttf>), a line each: the .csg does not have them. */
 #define CSG_DIGITS_FONTS "fonts"
 
-/* The file in that folder that is the last one openscad writes; frames of an animation have others. */
+/* The file in that folder that is the last one openscad writes; frames of an animation have
+ * others. */
 #define CSG_DIGITS_STILL "scene.csg"
 
 /* The last line of a text in which no number is rounded, see csg_value.rounding. */

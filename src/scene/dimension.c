@@ -2,7 +2,8 @@
 /*
  * OpenSCAD does not mix two and three dimensions: among the children of a node the first one
  * decides and those that differ are dropped with a warning. Its preview shows all of the outermost
- * union, figures as slabs, though; so it is here where a figure comes first: no mesh is made of that.
+ * union, figures as slabs, though; so it is here where a figure comes first: no mesh is made of
+ * that.
  */
 #include "scene/walk.h"
 

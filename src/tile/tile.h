@@ -17,8 +17,8 @@
 /* Texels of an object beyond which its tiles are not cut further: 128 MB. */
 #define CSG_MAX_TILED_TEXELS ((size_t)8 << 20)
 
-/* A part of the picture to be tiled: pixels [lo, hi), how many texels it may take, and whether tiles
- * are cut as small as spares tests, which need not be what is drawn soonest. */
+/* A part of the picture to be tiled: pixels [lo, hi), how many texels it may take, and whether
+ * tiles are cut as small as spares tests, which need not be what is drawn soonest. */
 struct csg_tile_area {
     int lo[2], hi[2];
     size_t max_texels;

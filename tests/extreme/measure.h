@@ -17,7 +17,7 @@ struct errors {
 struct measure {
     size_t rays;
     size_t misses;    /* a hit where there is nothing, or nothing where there is one; not where the
-                     * ray goes exactly through a silhouette */
+                       * ray goes exactly through a silhouette */
     double displaced; /* pixels that silhouettes must be off for these, at most */
     size_t outside;   /* of these, those not within a pixel of a silhouette */
     size_t other;     /* another surface, not within a pixel of a silhouette or crease */

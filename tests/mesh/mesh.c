@@ -3,8 +3,8 @@
 /*
  * Surfaces of triangles. Solids made of cubes must look the same when they are written as one
  * polyhedron of many faces, in Booleans with flush faces and with rays exactly through edges and
- * corners; tubes that cross themselves, and slivers seen nearly along their planes, must look as the
- * reference has them.
+ * corners; tubes that cross themselves, and slivers seen nearly along their planes, must look as
+ * the reference has them.
  *
  *     mesh [--backend=egl|osmesa|reference] [--rounds=N] [--size=PIXELS] [--seed=S]
  */

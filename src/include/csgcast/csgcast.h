@@ -99,21 +99,21 @@ struct csgcast_scene_params {
     const char *parameter_file; /* a customizer's JSON file, openscad's -p, and */
     const char *parameter_set;  /* the name of the set in it, -P. NULL: none */
     const char *const *fonts;   /* num_fonts font files for text() besides the machine's, as
-                                  * OpenSCAD's use <x.ttf>; those that a .scad uses are known */
+                                 * OpenSCAD's use <x.ttf>; those that a .scad uses are known */
     size_t num_fonts;           /* default 0 */
     const char *directory;      /* where relative file names in the scene start. NULL: that of the
-                                  * path; the working directory for text in memory and "-" */
+                                 * path; the working directory for text in memory and "-" */
     const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
     bool editable;              /* edits will follow: small objects keep what does not show */
     bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
     const char *cache;   /* directory for what openscad made of them; "": none. NULL:
-                                  * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
+                          * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
     uint64_t cache_size; /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
     csgcast_log_fn *log; /* NULL: standard error */
     void *log_user;      /* passed to log */
     int num_threads;     /* that read it, as in csgcast_renderer_params */
     bool fixed;          /* no edits will follow: the text, which they start from, is not
-                                  * kept, and they are errors. Not heeded where editable */
+                          * kept, and they are errors. Not heeded where editable */
 };
 
 struct csgcast_scene;
@@ -194,7 +194,7 @@ struct csgcast_scene_info {
     size_t num_triangles;                   /* of the leaves that are surfaces of triangles */
     size_t num_handed_off;                  /* nodes that openscad has evaluated */
     size_t num_rounded; /* numbers of the text that may be rounded to six digits, as OpenSCAD
-                             * writes them; .scad: 0 where it could be made to write all */
+                         * writes them; .scad: 0 where it could be made to write all */
     size_t num_ways;    /* entries in ways */
     const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
 };
