@@ -321,8 +321,7 @@ static enum csg_cover cover_of(const struct csgcast_scene *scene, const struct c
     if (object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
         return CSG_COVER_GLASS;
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && scene->leaves[nodes[i].leaf].color[3] < 1 &&
-            scene->leaves[nodes[i].leaf].color[3] >= 0)
+        if (nodes[i].op == CSG_LEAF && csg_leaf_is_translucent(&scene->leaves[nodes[i].leaf]))
             return CSG_COVER_GLASS;
     return csg_tree_cast_can(scene, object) ? CSG_COVER_HIDES : CSG_COVER_NONE;
 }
@@ -334,8 +333,7 @@ void csg_crowd_recolor_object(struct csg_crowd *crowd, const struct csgcast_scen
         crowd->covers[object] = (uint8_t)cover_of(scene, &scene->objects->data[object]);
         return;
     }
-    const float alpha = scene->leaves[crowd->leaf[member]].color[3];
-    crowd->opaque[member] = alpha < 0 || alpha >= 1;
+    crowd->opaque[member] = !csg_leaf_is_translucent(&scene->leaves[crowd->leaf[member]]);
     crowd->covers[object] = crowd->opaque[member] ? CSG_COVER_NONE : CSG_COVER_GLASS;
 }
 

@@ -79,11 +79,8 @@ static bool is_opaque(const struct distributor *at)
 {
     const struct csg_node *nodes = at->from->data;
     for (uint32_t i = at->object->begin; i < at->object->end; i++)
-        if (nodes[i].op == CSG_LEAF) {
-            const float *color = at->scene->leaves[nodes[i].leaf].color;
-            if (color[3] < 1)
-                return false;
-        }
+        if (nodes[i].op == CSG_LEAF && csg_leaf_is_translucent(&at->scene->leaves[nodes[i].leaf]))
+            return false;
     return true;
 }
 

@@ -30,7 +30,7 @@ static uint32_t first_leaf(const struct csg_tree *tree, uint32_t i)
 static bool is_see_through(const struct gatherer *gatherer, uint32_t leaf)
 {
     return gatherer->layer != CSG_LAYER_MODEL || gatherer->highlighted[leaf] ||
-           gatherer->scene->leaves[leaf].color[3] < 1;
+           csg_leaf_is_translucent(&gatherer->scene->leaves[leaf]);
 }
 
 /* Whether all leaves of a subtree are of one node with that one. */

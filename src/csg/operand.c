@@ -42,12 +42,6 @@ static bool has_leaf(const struct csg_tree *tree, uint32_t leaf)
     return false;
 }
 
-static bool is_same_node(const struct csg_node *a, const struct csg_node *b, uint32_t b_begin)
-{
-    return a->op == b->op && a->negated == b->negated && a->end == b->end - b_begin &&
-           (a->op != CSG_LEAF || a->leaf == b->leaf);
-}
-
 bool csg_operand_is_object(const struct csg_operand *operand, const struct csgcast_scene *scene,
                            const struct csg_object *object)
 {
@@ -58,7 +52,7 @@ bool csg_operand_is_object(const struct csg_operand *operand, const struct csgca
     if (object->end - object->begin != tree->num || is_everything)
         return false;
     for (size_t i = 0; i < tree->num; i++)
-        if (!is_same_node(&tree->data[i], &nodes[i], object->begin) ||
+        if (!csg_node_is_same(&tree->data[i], 0, &nodes[i], object->begin) ||
             (nodes[i].op == CSG_LEAF && is_small(operand) &&
              nodes[i].spare == has_leaf(&operand->pruned, nodes[i].leaf)))
             return false;

@@ -14,9 +14,15 @@ struct csg_leaf {
     enum csg_kind kind;
     bool is_empty;         /* an edit left nothing of it: shape means nothing */
     bool is_hole;          /* taken away within its own node: its faces are not cut faces */
-    float color[4];        /* r g b a as the outermost valid color() says; r < 0: none */
+    float color[4];        /* of csg_leaf_set_color: r g b < 0 are the scheme's; a is 0 or more */
     uint32_t line, column; /* of the node in the text */
 };
+
+/* What is behind it shows. */
+static inline bool csg_leaf_is_translucent(const struct csg_leaf *leaf)
+{
+    return leaf->color[3] < 1;
+}
 
 /* Which of the pictures a tree is part of. */
 enum csg_layer {

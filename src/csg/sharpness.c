@@ -10,13 +10,6 @@
 
 /* ---- objects that an edit has not changed ---------------------------------------------------- */
 
-static bool is_same_node(const struct csg_node *a, uint32_t a_begin, const struct csg_node *b,
-                         uint32_t b_begin)
-{
-    return a->op == b->op && a->negated == b->negated && a->spare == b->spare &&
-           a->leaf == b->leaf && a->end - a_begin == b->end - b_begin;
-}
-
 static bool is_same_box(const struct csg_box *a, const struct csg_box *b)
 {
     return memcmp(a, b, sizeof *a) == 0;
@@ -43,7 +36,8 @@ static bool is_same_object(const struct csgcast_scene *scene, const struct csg_o
         !is_same_box(&object->box, &other->box))
         return false;
     for (uint32_t i = 0; i < object->end - object->begin; i++)
-        if (!is_same_node(&a[i], object->begin, &b[i], other->begin) ||
+        if (a[i].spare != b[i].spare ||
+            !csg_node_is_same(&a[i], object->begin, &b[i], other->begin) ||
             (a[i].op == CSG_LEAF && !a[i].spare && !is_kept(scene, old, a[i].leaf)))
             return false;
     return true;

@@ -83,6 +83,14 @@ static inline uint32_t csg_tree_first_operand(const struct csg_tree *tree)
     return tree->num && tree->data[0].op == CSG_OR ? 1 : 0;
 }
 
+/* Whether two nodes are the same in subtrees that begin there, whether or not they are spare. */
+static inline bool csg_node_is_same(const struct csg_node *a, uint32_t a_begin,
+                                    const struct csg_node *b, uint32_t b_begin)
+{
+    return a->op == b->op && a->negated == b->negated && a->leaf == b->leaf &&
+           a->end - a_begin == b->end - b_begin;
+}
+
 size_t csg_tree_count_leaves(const struct csg_tree *tree);
 
 /* Levels of Boolean nodes; 0 for one leaf. */

@@ -145,8 +145,8 @@ static void note_translucency(struct session *session)
     const struct csgcast_scene *scene = session->scene;
     for (size_t i = 0; i < session->patches.num; i++) {
         const struct csg_patch *patch = &session->patches.data[i];
-        const bool was = scene->leaves[patch->index].color[3] < 1;
-        if (was == (patch->leaf.color[3] < 1))
+        const struct csg_leaf *leaf = &scene->leaves[patch->index];
+        if (csg_leaf_is_translucent(leaf) == csg_leaf_is_translucent(&patch->leaf))
             continue;
         session->moves = true;
         session->regroups |=
