@@ -45,6 +45,7 @@ END {
     at_least("five: finished mesh of 256 facets over csgcast", "five,mesh-256", "five,csgcast", 1)
     at_most("plate: 1,024 holes over 100", "plate32,csgcast", "plate10,csgcast", 2)
     at_least("plate, 1,024 holes: OpenCSG over csgcast", "plate32,opencsg", "plate32,csgcast", 10)
+    at_least("plate, 1,024 holes: libfive over csgcast", "plate32,libfive", "plate32,csgcast", 10)
     for (n = 4; n <= 5; n++) {
         at_least("Menger " n ": OpenSCAD's preview over csgcast, whole process",
             "menger" n ",openscad-preview", "menger" n ",csgcast", 5, "process")
@@ -52,6 +53,7 @@ END {
             "menger" n ",csgcast", 30, "mixed")
     }
     at_most("blow: k = 64 over k = 4 (linear: 16)", "blow64,csgcast", "blow4,csgcast", 16)
+    at_least("nested, 256: libfive over csgcast", "nested256,libfive", "nested256,csgcast", 3)
     at_least("nested, 256: POV-Ray over csgcast", "nested256,povray", "nested256,csgcast", 10)
     at_most("nested: 4,096 over 256", "nested4096,csgcast", "nested256,csgcast", 4)
     at_least("sphereflake 1: meshes of 16 x 8 over csgcast", "flake0,mesh-16x8", "flake0,csgcast", 1)
