@@ -318,11 +318,9 @@ static void put_outlines(void *user, size_t chunk)
 static enum csg_cover cover_of(const struct csgcast_scene *scene, const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    if (object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
+    if (object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL ||
+        !csg_nodes_are_opaque(scene, nodes, object->begin, object->end))
         return CSG_COVER_GLASS;
-    for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && csg_leaf_is_translucent(&scene->leaves[nodes[i].leaf]))
-            return CSG_COVER_GLASS;
     return csg_tree_cast_can(scene, object) ? CSG_COVER_HIDES : CSG_COVER_NONE;
 }
 

@@ -120,15 +120,18 @@ static void hide_block(void *user, size_t task)
     block->num = num;
 }
 
-/* Translucent members are drawn as other objects are. */
-static void demote_translucent(struct csg_cull *cull)
+/* Translucent members are drawn as other objects are, and classes that are to be. */
+static void demote(struct csg_cull *cull)
 {
     for (size_t i = 0; i < cull->blocks.num; i++) {
         struct csg_crowd_block *block = &cull->blocks.data[i];
+        const struct csg_crowd_run run =
+            csg_member_run(&cull->view, &cull->view.crowd->classes[block->class]);
+        const bool stays = !(cull->without & csg_crowd_run_bit(&run));
         struct csg_candidate *candidates = cull->candidates + block->begin;
         uint32_t num = 0;
         for (uint32_t j = 0; j < block->num; j++) {
-            if (cull->view.crowd->opaque[candidates[j].member])
+            if (stays && cull->view.crowd->opaque[candidates[j].member])
                 candidates[num++] = candidates[j];
             else
                 cull->demoted[candidates[j].member] = 1;
@@ -207,7 +210,7 @@ bool csg_cull_run(struct csg_cull *cull)
         csg_parallel(cull->view.frame->num_threads, cull->blocks.num, hide_block, cull);
     if (!csg_occlusion_hide_translucent(cull))
         return false;
-    demote_translucent(cull);
+    demote(cull);
     return true;
 }
 

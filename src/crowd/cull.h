@@ -47,6 +47,7 @@ struct csg_cull {
     uint8_t *demoted;                 /* per member: drawn as other objects are */
     bool has_relief;
     struct csg_relief relief; /* where has_relief: of the opaque members */
+    uint32_t without;         /* classes, as in csg_frame_params, that are demoted */
     size_t max_owners;        /* pixels that a picture of owners may have; 0: there is none */
     struct csg_owners owners; /* the relief's, if it has any, */
     struct csg_owned owned;   /* ... and where they are */

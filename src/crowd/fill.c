@@ -156,20 +156,12 @@ static void count(struct filler *filler)
     }
 }
 
-static struct csg_crowd_run run_of(const struct filler *filler, const struct csg_crowd_class *class)
-{
-    return (struct csg_crowd_run){.ball = class->outline == CSG_OUTLINE_BALL &&
-                                          filler->cull.view.square,
-                                  .has_quadric = class->has_quadric,
-                                  .num_planes = class->num_planes};
-}
-
 /* The run of a class's instances, and that of the pixels its members own. */
 static bool add_runs(struct filler *filler, const struct csg_crowd_class *class,
                      const struct class_plan *plan, size_t owned)
 {
     struct csg_frame_crowd *out = &filler->frame->crowd;
-    struct csg_crowd_run run = run_of(filler, class);
+    struct csg_crowd_run run = csg_member_run(&filler->cull.view, class);
     if (plan->num_owners) {
         run.owned = true;
         run.first = owned;
@@ -382,7 +374,8 @@ bool csg_crowd_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                                           .crowd = scene->crowd,
                                           .frame = frame,
                                           .square = csg_screen_is_square(&frame->screen)},
-                            .cull.max_owners = params->max_owners,
+                            .cull.without = params->crowds_without,
+                            .cull.max_owners = params->crowds_without ? 0 : params->max_owners,
                             .frame = frame,
                             .scene = scene,
                             .params = params};

@@ -10,6 +10,14 @@ static bool is_ball(const struct csg_crowd_view *view, const struct csg_crowd_cl
     return class->outline == CSG_OUTLINE_BALL && view->square;
 }
 
+struct csg_crowd_run csg_member_run(const struct csg_crowd_view *view,
+                                    const struct csg_crowd_class *class)
+{
+    return (struct csg_crowd_run){.ball = is_ball(view, class),
+                                  .has_quadric = class->has_quadric,
+                                  .num_planes = class->num_planes};
+}
+
 static struct csg_vec3 center_of(const struct csg_crowd_view *view, uint32_t member)
 {
     const struct csg_crowd *crowd = view->crowd;

@@ -21,6 +21,10 @@ static inline size_t csg_member_num_terms(const struct csg_crowd_class *class)
     return (class->has_quadric ? 12u : 0u) + 4 * (size_t) class->num_planes;
 }
 
+/* A run of members of the class. */
+struct csg_crowd_run csg_member_run(const struct csg_crowd_view *view,
+                                    const struct csg_crowd_class *class);
+
 /* The terms of any leaf with planes and quadrics, as a class of its own has them. false: the
  * quadric is stiff in this view. */
 bool csg_leaf_cast_terms(const struct csg_frame *frame, const struct csgcast_scene *scene,

@@ -26,6 +26,12 @@ struct csg_crowd_run {
     size_t num_members;   /* that are drawn in no other run */
 };
 
+/* Of runs that may be drawn by the same programs. */
+static inline uint32_t csg_crowd_run_bit(const struct csg_crowd_run *run)
+{
+    return UINT32_C(1) << (4 * run->num_planes + 2 * run->has_quadric + run->ball);
+}
+
 /*
  * Members of a class where they own pixels (crowd/owners.h): the picture of owners has their
  * numbers. In the data texture their terms follow each other in the order of these, and so do their

@@ -75,15 +75,6 @@ static size_t find_wide(struct distributor *at)
     return most;
 }
 
-static bool is_opaque(const struct distributor *at)
-{
-    const struct csg_node *nodes = at->from->data;
-    for (uint32_t i = at->object->begin; i < at->object->end; i++)
-        if (nodes[i].op == CSG_LEAF && csg_leaf_is_translucent(&at->scene->leaves[nodes[i].leaf]))
-            return false;
-    return true;
-}
-
 /* A subtrahend that is away from there takes nothing away: the fold would leave it out. */
 static bool is_away(const struct distributor *at, const struct csg_node *node,
                     const struct csg_box *around)
@@ -196,9 +187,12 @@ static bool add_parts(struct distributor *at, size_t num)
 static bool add_object(struct distributor *at)
 {
     const size_t num = find_wide(at);
-    if (num >= MIN_OPERANDS && csg_box_is_finite(&at->object->box) && is_opaque(at))
+    const struct csg_node *nodes = at->from->data;
+    const uint32_t begin = at->object->begin, end = at->object->end;
+    if (num >= MIN_OPERANDS && csg_box_is_finite(&at->object->box) &&
+        csg_nodes_are_opaque(at->scene, nodes, begin, end))
         return add_parts(at, num);
-    return csg_tree_append(&at->to, at->from->data, at->object->begin, at->object->end);
+    return csg_tree_append(&at->to, nodes, begin, end);
 }
 
 static bool add_objects(struct distributor *at)

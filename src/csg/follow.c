@@ -88,7 +88,7 @@ static bool keeps_structure(struct follow *follow, uint32_t operand)
     if (!csg_operand_take(&follow->operand, scene, &follow->before->trees[CSG_LAYER_MODEL],
                           operand))
         return false;
-    const uint32_t leaf = csg_operand_leaf(&follow->operand);
+    const uint32_t leaf = csg_operand_leaf(&follow->operand, scene);
     const uint32_t index = leaf == UINT32_MAX ? CSG_NOWHERE : follow->follower->objects[leaf];
     if (index == CSG_NOWHERE)
         return false;

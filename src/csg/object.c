@@ -182,31 +182,59 @@ bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree)
     return ok;
 }
 
-/* One operand of the outermost union: kept whole, with what does not show as spares, or crowded. */
-static void mark_operand(struct csg_node *nodes, uint32_t begin, uint32_t end, const uint8_t *known)
+bool csg_nodes_are_opaque(const struct csgcast_scene *scene, const struct csg_node *nodes,
+                          uint32_t begin, uint32_t end)
 {
-    const bool small = end - begin <= CSG_KEPT_MAX_NODES;
     for (uint32_t i = begin; i < end; i++)
-        if (nodes[i].op == CSG_LEAF) {
-            nodes[i].spare = small && known[nodes[i].leaf] == CSG_NOTHING;
-            nodes[i].crowded = !small;
+        if (nodes[i].op == CSG_LEAF && csg_leaf_is_translucent(&scene->leaves[nodes[i].leaf]))
+            return false;
+    return true;
+}
+
+static void mark_known(const struct csg_tree *tree, uint8_t mark, uint8_t *known)
+{
+    for (size_t i = 0; i < tree->num; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            known[tree->data[i].leaf] = mark;
+}
+
+static bool is_kept(const struct csgcast_scene *scene, const struct csg_tree *tree, uint32_t begin,
+                    const uint8_t *highlighted)
+{
+    const uint32_t end = tree->data[begin].end;
+    for (uint32_t i = begin; i < end; i++)
+        if (tree->data[i].op == CSG_LEAF && highlighted[tree->data[i].leaf])
+            return false;
+    return end - begin <= CSG_KEPT_MAX_NODES && csg_nodes_are_opaque(scene, tree->data, begin, end);
+}
+
+/* One operand of the outermost union: kept whole, with what does not show as spares, or crowded. */
+static void mark_operand(struct csg_tree *tree, uint32_t begin, bool kept, const uint8_t *known)
+{
+    for (uint32_t i = begin; i < tree->data[begin].end; i++) {
+        struct csg_node *node = &tree->data[i];
+        if (node->op == CSG_LEAF) {
+            node->spare = kept && known[node->leaf] == CSG_NOTHING;
+            node->crowded = !kept;
         }
+    }
 }
 
 bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree *tree,
                              const struct csg_tree *pruned)
 {
-    uint8_t *known = malloc(scene->num_leaves + 1);
-    if (!known)
-        return false;
-    memset(known, CSG_NOTHING, scene->num_leaves + 1);
-    for (size_t i = 0; i < pruned->num; i++)
-        if (pruned->data[i].op == CSG_LEAF)
-            known[pruned->data[i].leaf] = CSG_VARIES;
-    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
-        mark_operand(tree->data, i, tree->data[i].end, known);
-    const bool ok = csg_tree_simplify(tree, known);
+    uint8_t *known = malloc(scene->num_leaves + 1), *highlighted = calloc(scene->num_leaves + 1, 1);
+    bool ok = known && highlighted;
+    if (ok) {
+        memset(known, CSG_NOTHING, scene->num_leaves + 1);
+        mark_known(pruned, CSG_VARIES, known);
+        mark_known(&scene->trees[CSG_LAYER_HIGHLIGHT], true, highlighted);
+        for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+            mark_operand(tree, i, is_kept(scene, tree, i, highlighted), known);
+        ok = csg_tree_simplify(tree, known);
+    }
     free(known);
+    free(highlighted);
     return ok;
 }
 

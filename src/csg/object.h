@@ -66,13 +66,19 @@ size_t csg_count_operands(const struct csg_tree *tree);
  * it, subtrahends outside of their minuend. false: out of memory. */
 bool csg_tree_prune(const struct csgcast_scene *scene, struct csg_tree *tree);
 
+/* Whether nothing of the nodes at [begin, end) lets others show through. */
+bool csg_nodes_are_opaque(const struct csgcast_scene *scene, const struct csg_node *nodes,
+                          uint32_t begin, uint32_t end);
+
 /* Objects of at most this many nodes keep their structure in scenes that are edited: those that
  * straight-line code is made for (CSG_STRAIGHT_MAX_STEPS). */
 #define CSG_KEPT_MAX_NODES 24
 
 /*
- * For a scene that is edited: what prune made of tree is pruned; small objects of tree keep the
- * leaves that went, as spare ones, so that no edit changes their programs. false: out of memory.
+ * For a scene that is edited: what prune made of the model's tree is pruned; small objects of tree
+ * keep the leaves that went, as spare ones, so that no edit changes their programs. But not those
+ * that are translucent or under # in part: what is pruned may be several objects, which are blended
+ * one by one. false: out of memory.
  */
 bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree *tree,
                              const struct csg_tree *pruned);

@@ -20,14 +20,16 @@ bool csg_operand_take(struct csg_operand *operand, const struct csgcast_scene *s
            csg_tree_prune(scene, &operand->pruned);
 }
 
-static bool is_small(const struct csg_operand *operand)
+static bool is_kept(const struct csg_operand *operand, const struct csgcast_scene *scene)
 {
-    return operand->whole.num <= CSG_KEPT_MAX_NODES;
+    const struct csg_tree *whole = &operand->whole;
+    return whole->num <= CSG_KEPT_MAX_NODES &&
+           csg_nodes_are_opaque(scene, whole->data, 0, (uint32_t)whole->num);
 }
 
-uint32_t csg_operand_leaf(const struct csg_operand *operand)
+uint32_t csg_operand_leaf(const struct csg_operand *operand, const struct csgcast_scene *scene)
 {
-    const struct csg_tree *tree = is_small(operand) ? &operand->whole : &operand->pruned;
+    const struct csg_tree *tree = is_kept(operand, scene) ? &operand->whole : &operand->pruned;
     for (size_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF)
             return tree->data[i].leaf;
@@ -45,7 +47,8 @@ static bool has_leaf(const struct csg_tree *tree, uint32_t leaf)
 bool csg_operand_is_object(const struct csg_operand *operand, const struct csgcast_scene *scene,
                            const struct csg_object *object)
 {
-    const struct csg_tree *tree = is_small(operand) ? &operand->whole : &operand->pruned;
+    const bool kept = is_kept(operand, scene);
+    const struct csg_tree *tree = kept ? &operand->whole : &operand->pruned;
     const struct csg_node *nodes = scene->trees[object->layer].data + object->begin;
     const struct csg_tree *pruned = &operand->pruned;
     const bool is_everything = pruned->num == 1 && pruned->data[0].op != CSG_LEAF;
@@ -53,7 +56,7 @@ bool csg_operand_is_object(const struct csg_operand *operand, const struct csgca
         return false;
     for (size_t i = 0; i < tree->num; i++)
         if (!csg_node_is_same(&tree->data[i], 0, &nodes[i], object->begin) ||
-            (nodes[i].op == CSG_LEAF && is_small(operand) &&
+            (nodes[i].op == CSG_LEAF && kept &&
              nodes[i].spare == has_leaf(&operand->pruned, nodes[i].leaf)))
             return false;
     return true;

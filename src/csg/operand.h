@@ -20,7 +20,7 @@ bool csg_operand_take(struct csg_operand *operand, const struct csgcast_scene *s
                       const struct csg_tree *tree, uint32_t begin);
 
 /* A leaf of what is to be drawn of it; UINT32_MAX: it is nothing. */
-uint32_t csg_operand_leaf(const struct csg_operand *operand);
+uint32_t csg_operand_leaf(const struct csg_operand *operand, const struct csgcast_scene *scene);
 
 /* Whether the object is what csg_scene_finish makes of the operand where structure is kept. */
 bool csg_operand_is_object(const struct csg_operand *operand, const struct csgcast_scene *scene,

@@ -29,21 +29,17 @@ bool csg_program_append(struct csg_program *program, const struct csgcast_scene 
                         const struct csg_tree *tree, uint32_t begin);
 
 /* Members of crowds (crowd/crowd.h) have at most so many planes, and are no surfaces. */
-enum { CSG_PLAN_MAX_PLANES = 6, CSG_PLAN_MAX_SINGLES = 2 * (CSG_PLAN_MAX_PLANES + 1) };
-
-/* Objects that are compared for having spare solids in different structures, at most. */
-enum { CSG_PLAN_MAX_SPARED = 8 };
+enum { CSG_PLAN_MAX_PLANES = 6, CSG_PLAN_MAX_LEFTS = 2 * (CSG_PLAN_MAX_PLANES + 1) };
 
 /* The steps of all objects of a scene. */
 struct csg_plan {
     struct csg_program program;
     uint32_t *begin; /* per object: its first step; one more at the end */
-    /* Where edits follow: of the objects of one solid, and of the solids that may be all that is
-     * left of an object, the first ones with a quadric or without and each number of planes. */
-    uint32_t singles[CSG_PLAN_MAX_SINGLES], lefts[CSG_PLAN_MAX_SINGLES];
-    size_t num_singles, num_lefts;
-    uint32_t spared[CSG_PLAN_MAX_SPARED]; /* objects of several solids, but for spare ones of one */
-    size_t num_spared;
+    /* Where edits follow: of the solids that may be all that is left of an object, the first ones
+     * with a quadric or without and each number of planes. */
+    uint32_t lefts[CSG_PLAN_MAX_LEFTS];
+    size_t num_lefts;
+    bool has_surface, has_rings; /* ... and whether some leaf is one, or may be part of a stack */
 };
 
 /* NULL: out of memory. */

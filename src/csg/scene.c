@@ -162,10 +162,24 @@ static bool fill_from_trees(struct csgcast_scene *scene)
     return fill_boxes(scene) && fill_tree_info(scene);
 }
 
-/* Takes what does not show out of the tree; kept, where structure is kept, is it before that. */
-static bool prune(struct csgcast_scene *scene, struct csg_tree *tree, struct csg_tree *kept)
+/* Takes what does not show out of the trees; kept, where structure is kept, is the model's before
+ * that. */
+static bool prune(struct csgcast_scene *scene, struct csg_tree *kept)
 {
-    return (!scene->keeps_structure || csg_tree_copy(tree, kept)) && csg_tree_prune(scene, tree);
+    bool ok = !scene->keeps_structure || csg_tree_copy(&scene->trees[CSG_LAYER_MODEL], kept);
+    for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
+        ok = csg_tree_prune(scene, &scene->trees[layer]);
+    return ok;
+}
+
+static bool keep_structure(struct csgcast_scene *scene, struct csg_tree *kept)
+{
+    struct csg_tree *tree = &scene->trees[CSG_LAYER_MODEL];
+    const struct csg_tree pruned = *tree;
+    const bool ok = csg_tree_keep_structure(scene, kept, &pruned);
+    *tree = *kept;
+    free(pruned.data);
+    return ok && csg_gather_nodes(scene);
 }
 
 /* What is subtracted is closed, or it would take away all that is seen through its gaps. */
@@ -224,18 +238,16 @@ static bool finish(struct csgcast_scene *scene, const struct csg_before *before)
 {
     fill_leaf_boxes(scene, before);
     csg_sort_wholes(scene);
-    struct csg_tree kept[CSG_NUM_LAYERS] = {{0}};
+    struct csg_tree kept = {0};
     bool ok = true;
-    for (int layer = 0; layer < CSG_NUM_LAYERS && ok; layer++)
-        ok = (before || csg_tree_simplify(&scene->trees[layer], NULL)) &&
-             prune(scene, &scene->trees[layer], &kept[layer]);
-    ok = ok && csg_gather_nodes(scene) && fill_from_trees(scene) && csg_ways_fill(scene);
-    for (int layer = 0; layer < CSG_NUM_LAYERS && scene->keeps_structure; layer++) {
-        ok = ok && csg_tree_keep_structure(scene, &kept[layer], &scene->trees[layer]);
-        free(scene->trees[layer].data);
-        scene->trees[layer] = kept[layer];
-    }
-    ok = ok && (!scene->keeps_structure || csg_gather_nodes(scene));
+    for (int layer = 0; layer < CSG_NUM_LAYERS && ok && !before; layer++)
+        ok = csg_tree_simplify(&scene->trees[layer], NULL);
+    ok = ok && prune(scene, &kept) && csg_gather_nodes(scene) && fill_from_trees(scene) &&
+         csg_ways_fill(scene);
+    if (ok && scene->keeps_structure)
+        ok = keep_structure(scene, &kept);
+    else
+        free(kept.data);
     if (!ok || !build_surfaces(scene))
         return false;
     scene->objects = calloc(1, sizeof *scene->objects);

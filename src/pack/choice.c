@@ -53,10 +53,11 @@ static bool find_spared(const struct csg_terms *terms, const struct csg_object *
 {
     bool quadrics;
     const bool bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
+    draw->nested = is_nested(terms, object);
     const double askew = is_askew(terms->scene, object) ? ASKEW : 1;
-    const double most = askew * (bunched                    ? MAX_TESTS_BUNCHED
-                                 : is_nested(terms, object) ? MAX_TESTS_NESTED
-                                                            : MAX_TESTS_ROW);
+    const double most = askew * (bunched        ? MAX_TESTS_BUNCHED
+                                 : draw->nested ? MAX_TESTS_NESTED
+                                                : MAX_TESTS_ROW);
     const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     double tests;
     *spared = 0;

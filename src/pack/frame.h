@@ -41,7 +41,7 @@ struct csg_draw {
     bool bands;           /* some record is that of a stack of rings */
     bool walk;            /* in cells: records begin with CSG_WALK_HEADER */
     bool may_walk;        /* it may be in cells in another frame */
-    bool nested, bunched; /* walk: see csg_cells */
+    bool nested, bunched; /* walk: see csg_cells; may_walk: what these may be */
     bool tile;            /* a tile of the object: its records differ from the object's steps */
 };
 
@@ -87,6 +87,7 @@ struct csg_frame_params {
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
     enum csg_cells_use cells; /* what is drawn in cells */
     bool crowds;              /* single solids are drawn as crowd/crowd.h has them, */
+    uint32_t crowds_without;  /* ... but those of runs with these csg_crowd_run_bit, */
     size_t max_owners;        /* ... with a picture of owners of at most so many pixels */
 };
 

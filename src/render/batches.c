@@ -130,8 +130,6 @@ static bool fill(struct csg_batches *batches, struct csg_chooser *chooser,
         note_choice(batches, renderer, request, &choices[i],
                     i == 0 || draws[i - 1].object != draws[i].object);
     }
-    if (!csg_chooser_prepare_spared(chooser))
-        return false;
     return add_draws(batches, choices, num, draws) || csg_log_memory(&renderer->log);
 }
 

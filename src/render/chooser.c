@@ -101,6 +101,13 @@ static bool is_for_cpu(const struct csg_chooser *chooser, const struct csg_draw 
     return draw->precise && !chooser->renderer->gl->has_double;
 }
 
+static bool is_drawn_alone(const struct csg_chooser *chooser, const struct csg_draw *draw)
+{
+    return draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP &&
+           (!chooser->request->after_edit ||
+            csg_chooser_knows(chooser, CSG_RESOLVER_SURFACE, csg_view_features(draw)));
+}
+
 /* A surface alone in its tile counts as the loop, which draws the same. */
 static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
@@ -109,6 +116,12 @@ static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw 
         csg_chooser_shared(chooser, CSG_RESOLVER_SURFACE, csg_view_features(draw), resolver);
     *resolver = draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP;
     return program;
+}
+
+static bool can_be_chain(const struct csg_chooser *chooser, int chain)
+{
+    return csg_chain_size(chain, chooser->direct) <= chooser->max_handed &&
+           (!chooser->request->after_edit || csg_chooser_knows_chain(chooser, chain));
 }
 
 /* Tiles hold trees of any kind; most are chains. */
@@ -123,10 +136,9 @@ static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *
         return -1;
     const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
                                      (size_t)draw->instance.records[1]);
-    const size_t size = chain < 0 ? 0 : csg_chain_size(chain, chooser->direct);
     if (chain >= 0 && chooser->common_chain >= 0)
         return chooser->common_chain;
-    return size <= chooser->max_handed ? chain : -1;
+    return chain >= 0 && can_be_chain(chooser, chain) ? chain : -1;
 }
 
 /* One picture does not repay what several chains take to compile or to read from the driver's
@@ -144,7 +156,7 @@ static int find_common_chain(const struct csg_chooser *chooser)
     }
     for (int i = 0; i < CSG_NUM_CHAINS && all.slots > 0; i++)
         if (all.slots <= csg_chains[i].slots && all.quadrics == csg_chains[i].quadrics)
-            return csg_chain_size(i, chooser->direct) <= chooser->max_handed ? i : -1;
+            return can_be_chain(chooser, i) ? i : -1;
     return -1;
 }
 
@@ -159,7 +171,7 @@ static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw 
     if (draw->walk)
         return csg_chooser_shared(chooser, CSG_RESOLVER_CELLS, csg_walk_features(chooser, draw),
                                   resolver);
-    if (draw->surface_alone && chooser->request->resolver != CSG_RESOLVER_LOOP)
+    if (is_drawn_alone(chooser, draw))
         return choose_surface(chooser, draw, resolver);
     const int chain = find_chain(chooser, draw);
     *resolver = CSG_RESOLVER_CHAIN;
@@ -172,9 +184,14 @@ static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw 
     const struct csg_structure structure = csg_chooser_structure(chooser->request, draw->object);
     *resolver = choose_resolver(chooser, &structure, draw);
     const int features = csg_structure_features(&structure) | csg_view_features(draw);
-    if (*resolver == CSG_RESOLVER_STRAIGHT)
-        return csg_chooser_straight(chooser, &structure, draw->stiff, features);
-    return csg_chooser_shared(chooser, *resolver, features, resolver);
+    const GLuint straight = *resolver == CSG_RESOLVER_STRAIGHT
+                                ? csg_chooser_straight(chooser, &structure, draw->stiff, features)
+                                : 0;
+    if (straight || (*resolver == CSG_RESOLVER_STRAIGHT && !chooser->request->after_edit))
+        return straight;
+    const bool is_missing = *resolver == CSG_RESOLVER_STRAIGHT;
+    return csg_chooser_shared(chooser, is_missing ? CSG_RESOLVER_LOOP : *resolver, features,
+                              resolver);
 }
 
 static bool choose_rear(struct csg_chooser *chooser, const struct csg_draw *draw, GLuint *rear)

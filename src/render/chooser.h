@@ -23,12 +23,13 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
                                        const struct csg_request *request, bool direct);
 void csg_chooser_destroy(struct csg_chooser *chooser);
 
-/* Of scenes that are edited: compiles what an edit may ask for. false, with a message: that failed.
- */
+/* Of scenes that are edited: compiles what an edit may ask for, in frames that are not the first
+ * after one. false, with a message: that failed. */
 bool csg_chooser_prepare(struct csg_chooser *chooser);
 
-/* The same for objects in a crowd, after the frame's draws have their programs. */
-bool csg_chooser_prepare_spared(struct csg_chooser *chooser);
+/* In the frame after an edit: whether there are programs for its crowds and cells. If not, params
+ * become those of a frame in which that is drawn as other objects are, for which there are. */
+bool csg_chooser_make_do(const struct csg_chooser *chooser, struct csg_frame_params *params);
 
 /* false, with a message: a program does not compile. */
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,

@@ -11,7 +11,7 @@
 struct csg_chooser {
     struct csgcast_renderer *renderer;
     const struct csg_request *request;
-    struct csg_known_structures straight;
+    struct csg_known_structures straight, missing; /* missing: after an edit, without a program */
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
     GLuint cells[CSG_NUM_FEATURE_SETS];
@@ -38,7 +38,8 @@ int csg_walk_features(const struct csg_chooser *chooser, const struct csg_draw *
 
 /* ---- chooser_programs.c; 0, with a message: a program does not compile ---- */
 
-/* The program of a structure of its own, straight-line code. */
+/* The program of a structure of its own, straight-line code. 0 without a message: after an edit, as
+ * there is none. */
 GLuint csg_chooser_straight(struct csg_chooser *chooser, const struct csg_structure *structure,
                             bool stiff, int features);
 
@@ -46,7 +47,8 @@ GLuint csg_chooser_straight(struct csg_chooser *chooser, const struct csg_struct
 bool csg_chooser_has_room(const struct csg_chooser *chooser, const struct csg_structure *structure,
                           bool stiff);
 
-/* A program that any structure with these features can use. */
+/* A program that any structure with these features can use. After an edit it may be one that can do
+ * more. */
 GLuint csg_chooser_shared(struct csg_chooser *chooser, enum csg_resolver resolver, int features,
                           enum csg_resolver *chosen);
 
@@ -54,6 +56,10 @@ GLuint csg_chooser_shared(struct csg_chooser *chooser, enum csg_resolver resolve
 GLuint csg_chooser_cpu(struct csg_chooser *chooser, enum csg_resolver *resolver);
 
 GLuint csg_chooser_chain(struct csg_chooser *chooser, int chain);
+
+/* Whether it need not be compiled. */
+bool csg_chooser_knows(const struct csg_chooser *chooser, enum csg_resolver resolver, int features);
+bool csg_chooser_knows_chain(const struct csg_chooser *chooser, int chain);
 
 /* ---- chooser_spares.c; false, with a message: a program does not compile ---- */
 

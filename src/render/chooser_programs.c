@@ -13,11 +13,13 @@ static int frame_features(const struct csg_chooser *chooser)
 static GLuint compile(struct csg_chooser *chooser, enum csg_resolver resolver,
                       const struct csg_structure *structure, int features)
 {
+    struct csg_programs *programs = &chooser->renderer->programs;
     features |= chooser->request->textbook ? CSG_FEATURE_TEXTBOOK : 0;
     features |= frame_features(chooser);
-    return csg_programs_get(
-        &chooser->renderer->programs,
-        csg_source_geometry(resolver, features, structure, chooser->max_handed));
+    const struct csg_stages stages =
+        csg_source_geometry(resolver, features, structure, chooser->max_handed);
+    return structure && chooser->request->after_edit ? csg_programs_known(programs, stages)
+                                                     : csg_programs_get(programs, stages);
 }
 
 /* What a program is noted under that needs no structure: a chain is a resolver of its own. */
@@ -29,28 +31,55 @@ static uint32_t name_of(const struct csg_chooser *chooser, enum csg_resolver res
     return (uint32_t)all << 16 | (uint32_t)(chain + 1) << 8 | ((uint32_t)resolver + 1);
 }
 
+/* What a program may be able to do that its draws do not ask for. Records of bands depend on
+ * whether there are stiff ones. */
+static uint32_t more_than(int features)
+{
+    const int more = CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | CSG_FEATURE_SURFACE |
+                     CSG_FEATURE_NESTED | CSG_FEATURE_BANDS |
+                     (features & CSG_FEATURE_BANDS ? 0 : CSG_FEATURE_STIFF);
+    return (uint32_t)more << 16;
+}
+
+static GLuint find_shared(const struct csg_chooser *chooser, enum csg_resolver resolver,
+                          int features)
+{
+    const struct csg_programs *programs = &chooser->renderer->programs;
+    const uint32_t name = name_of(chooser, resolver, -1, features);
+    return chooser->request->after_edit
+               ? csg_programs_noted_above(programs, name, more_than(features))
+               : csg_programs_noted(programs, name);
+}
+
+bool csg_chooser_knows(const struct csg_chooser *chooser, enum csg_resolver resolver, int features)
+{
+    return find_shared(chooser, resolver, features) != 0;
+}
+
 /* The program of a resolver that needs no structure. */
 static GLuint compile_shared(struct csg_chooser *chooser, enum csg_resolver resolver, int features)
 {
     struct csg_programs *programs = &chooser->renderer->programs;
-    const uint32_t name = name_of(chooser, resolver, -1, features);
-    const GLuint noted = csg_programs_noted(programs, name);
-    if (noted)
-        return noted;
+    const GLuint known = find_shared(chooser, resolver, features);
+    if (known)
+        return known;
     const GLuint program = compile(chooser, resolver, NULL, features);
-    csg_programs_note(programs, program, name);
+    csg_programs_note(programs, program, name_of(chooser, resolver, -1, features));
     return program;
 }
 
 GLuint csg_chooser_straight(struct csg_chooser *chooser, const struct csg_structure *structure,
                             bool stiff, int features)
 {
-    const GLuint known = csg_structures_find(&chooser->straight, structure, stiff);
+    struct csg_known_structures *missing = &chooser->missing;
+    const struct csg_known_structure *known =
+        csg_structures_find(&chooser->straight, structure, stiff);
     if (known)
-        return known;
+        return known->program;
+    if (missing->num == CSG_MAX_STRAIGHT_PROGRAMS || csg_structures_find(missing, structure, stiff))
+        return 0;
     const GLuint program = compile(chooser, CSG_RESOLVER_STRAIGHT, structure, features);
-    if (program)
-        csg_structures_add(&chooser->straight, structure, stiff, program);
+    csg_structures_add(program ? &chooser->straight : missing, structure, stiff, program);
     return program;
 }
 
@@ -96,6 +125,12 @@ static GLuint compile_chain(struct csg_chooser *chooser, int chain)
         csg_programs_get(programs, csg_source_geometry_chain(chain, frame_features(chooser)));
     csg_programs_note(programs, program, name);
     return program;
+}
+
+bool csg_chooser_knows_chain(const struct csg_chooser *chooser, int chain)
+{
+    const uint32_t name = name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0);
+    return csg_programs_noted(&chooser->renderer->programs, name) != 0;
 }
 
 GLuint csg_chooser_chain(struct csg_chooser *chooser, int chain)

@@ -7,12 +7,18 @@
 #include "crowd/crowd.h"
 #include "render/chooser_parts.h"
 
+/* Only frames that are not the first after an edit compile. */
+static bool may_prepare(const struct csg_chooser *chooser)
+{
+    return chooser->request->scene->keeps_structure && !chooser->request->after_edit;
+}
+
 /* What tiles and cells need, and which of them it is, changes with each edit: in scenes that are
  * edited it is all there from the first frame on. false, with a message, on failure. */
 bool csg_chooser_prepare_tiles(struct csg_chooser *chooser)
 {
     enum csg_resolver resolver;
-    if (chooser->tiles_prepared || !chooser->request->scene->keeps_structure)
+    if (chooser->tiles_prepared || !may_prepare(chooser))
         return true;
     chooser->tiles_prepared = true;
     for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
@@ -25,8 +31,7 @@ bool csg_chooser_prepare_tiles(struct csg_chooser *chooser)
 bool csg_chooser_prepare_cells(struct csg_chooser *chooser, const struct csg_draw *draw)
 {
     enum csg_resolver resolver;
-    if (!draw->may_walk || !chooser->request->scene->keeps_structure ||
-        chooser->prepared == draw->object + 1)
+    if (!draw->may_walk || !may_prepare(chooser) || chooser->prepared == draw->object + 1)
         return true;
     chooser->prepared = draw->object + 1;
     return csg_chooser_shared(chooser, CSG_RESOLVER_CELLS, csg_walk_features(chooser, draw),
@@ -38,7 +43,7 @@ bool csg_chooser_prepare_cells(struct csg_chooser *chooser, const struct csg_dra
 bool csg_chooser_prepare_whole(struct csg_chooser *chooser, const struct csg_draw *draw)
 {
     const struct csg_request *request = chooser->request;
-    if (!request->scene->keeps_structure || draw->object == CSG_WHOLE_LAYER || draw->precise ||
+    if (!may_prepare(chooser) || draw->object == CSG_WHOLE_LAYER || draw->precise ||
         draw->around_eye || draw->walk || chooser->prepared_whole == draw->object + 1)
         return true;
     chooser->prepared_whole = draw->object + 1;
@@ -75,40 +80,80 @@ static bool prepare_left(struct csg_chooser *chooser, uint32_t leaf)
     return prepare_run(chooser, run) && prepare_run(chooser, ball);
 }
 
-/* An object that may be drawn by itself where it is in a crowd now. */
-static bool prepare_object(struct csg_chooser *chooser, uint32_t object)
+static int all_features(const struct csg_plan *plan)
 {
-    const struct csg_structure structure = csg_chooser_structure(chooser->request, object);
-    const int features = csg_structure_features(&structure);
-    enum csg_resolver resolver;
-    if (csg_structure_is_small(&structure) && csg_chooser_has_room(chooser, &structure, false))
-        return csg_chooser_straight(chooser, &structure, false, features) != 0;
-    return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, features, &resolver) != 0;
+    return CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | (plan->has_surface ? CSG_FEATURE_SURFACE : 0) |
+           (plan->has_rings ? CSG_FEATURE_BANDS : 0);
 }
 
-static bool may_change(const struct csg_request *request)
+/* What draws any object, seen in any way. */
+static bool prepare_general(struct csg_chooser *chooser)
 {
-    return request->scene->keeps_structure && !request->textbook && request->resolver < 0;
+    const int all = all_features(chooser->request->scene->plan);
+    const bool has_double = chooser->renderer->gl->has_double;
+    enum csg_resolver resolver;
+    return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, all | CSG_FEATURE_STIFF, &resolver) &&
+           (!(all & CSG_FEATURE_BANDS) ||
+            csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, all, &resolver)) &&
+           (!has_double ||
+            csg_chooser_shared(chooser, CSG_RESOLVER_DOUBLE, all | CSG_FEATURE_DOUBLE, &resolver));
+}
+
+/* The same for what an edit makes translucent: in a frame that is drawn directly there is nothing
+ * of the kind. */
+static bool prepare_translucent(struct csg_chooser *chooser)
+{
+    const struct csg_request *request = chooser->request;
+    const int all = all_features(request->scene->plan);
+    enum csg_resolver resolver;
+    struct csg_chooser *blended = csg_chooser_create(chooser->renderer, request, false);
+    const bool ok =
+        blended && (!chooser->direct || prepare_general(blended)) &&
+        csg_chooser_shared(blended, CSG_RESOLVER_REAR, all | CSG_FEATURE_STIFF, &resolver) &&
+        csg_programs_get(&chooser->renderer->programs,
+                         csg_source_shade(request->image->id != NULL, false,
+                                          request->shared ? CSG_FEATURE_SHARED : 0));
+    csg_chooser_destroy(blended);
+    return ok;
 }
 
 bool csg_chooser_prepare(struct csg_chooser *chooser)
 {
     const struct csg_plan *plan = chooser->request->scene->plan;
     bool ok = true;
-    if (!may_change(chooser->request))
+    if (!may_prepare(chooser) || chooser->request->textbook || chooser->request->resolver >= 0)
         return true;
     for (size_t i = 0; i < plan->num_lefts && ok; i++)
         ok = prepare_left(chooser, plan->lefts[i]);
-    for (size_t i = 0; i < plan->num_singles && ok; i++)
-        ok = prepare_object(chooser, plan->singles[i]);
-    return ok;
+    return ok && prepare_general(chooser) && prepare_translucent(chooser);
 }
 
-bool csg_chooser_prepare_spared(struct csg_chooser *chooser)
+/* ---- the frame after an edit ---- */
+
+static bool has_run(const struct csg_chooser *chooser, const struct csg_crowd_run *run)
 {
-    const struct csg_plan *plan = chooser->request->scene->plan;
-    bool ok = true;
-    for (size_t i = 0; i < plan->num_spared && may_change(chooser->request) && ok; i++)
-        ok = chooser->request->shared || prepare_object(chooser, plan->spared[i]);
-    return ok;
+    return csg_programs_known(&chooser->renderer->programs,
+                              csg_source_single(run, chooser->direct)) != 0;
+}
+
+bool csg_chooser_make_do(const struct csg_chooser *chooser, struct csg_frame_params *params)
+{
+    const struct csg_frame *frame = &chooser->renderer->frame;
+    bool can = true;
+    for (size_t i = 0; i < frame->crowd.runs.num; i++) {
+        const struct csg_crowd_run *run = &frame->crowd.runs.data[i];
+        if (run->num == 0 || has_run(chooser, run))
+            continue;
+        params->crowds_without |= csg_crowd_run_bit(run);
+        can = false;
+    }
+    for (size_t i = 0; i < frame->draws.num && can; i++) {
+        const struct csg_draw *draw = &frame->draws.data[i];
+        if (!draw->walk ||
+            csg_chooser_knows(chooser, CSG_RESOLVER_CELLS, csg_walk_features(chooser, draw)))
+            continue;
+        params->cells = CSG_CELLS_NEVER;
+        can = false;
+    }
+    return can;
 }

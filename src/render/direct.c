@@ -74,8 +74,6 @@ static bool is_thin(const struct csg_frame *frame, const struct csg_request *req
 /* A scene that is edited keeps to what its first frame was, so that nothing is compiled. */
 static bool is_kept_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    if (!request->scene->keeps_structure)
-        return is_thin(&renderer->frame, request);
     if (renderer->thin_scene != request->scene) {
         renderer->thin_scene = request->scene;
         renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
@@ -92,5 +90,6 @@ bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_requ
     for (size_t i = 0; i < frame->draws.num; i++)
         if (!is_opaque(&frame->draws.data[i]))
             return false;
-    return is_kept_thin(renderer, request) || csg_is_disjoint(frame);
+    return request->scene->keeps_structure ? is_kept_thin(renderer, request)
+                                           : csg_is_disjoint(frame) || is_thin(frame, request);
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "render/chooser.h"
 #include "render/direct.h"
 #include "render/inputs.h"
 
@@ -129,9 +130,33 @@ static enum csg_cells_use choose_cells(const struct csg_request *request)
                : CSG_CELLS_WHERE_BETTER;
 }
 
+/* Whether the frame can be drawn with what is compiled, or may be. params: see
+ * csg_chooser_make_do. */
+static bool can_draw(struct csg_picture *picture, struct csg_frame_params *params)
+{
+    if (!picture->request->after_edit)
+        return true;
+    struct csg_chooser *chooser =
+        csg_chooser_create(picture->renderer, picture->request, picture->batches.direct);
+    const bool can = !chooser || csg_chooser_make_do(chooser, params);
+    csg_chooser_destroy(chooser);
+    return can;
+}
+
+/* What the frame hands over, and how it is drawn. */
+static bool fill_frame(struct csg_picture *picture, struct csg_frame_params *params)
+{
+    do {
+        if (!csg_frame_fill(&picture->renderer->frame, picture->request->scene, params))
+            return csg_log_memory(&picture->renderer->log);
+        picture->batches.direct = csg_draws_directly(picture->renderer, picture->request);
+    } while (!can_draw(picture, params));
+    return true;
+}
+
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    const struct csg_frame_params params = {
+    struct csg_frame_params params = {
         .frustum = &request->frustum,
         .width = request->width,
         .height = request->height,
@@ -149,14 +174,13 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .tile_size = request->tile_size,
         .cells = choose_cells(request),
     };
-    const double start = csg_clock_ms();
-    if (!csg_frame_fill(&renderer->frame, request->scene, &params))
-        return csg_log_memory(&renderer->log);
-    renderer->stats.cpu_ms = csg_clock_ms() - start;
     struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;
     picture.want_leaf = request->image->id != NULL;
-    picture.batches.direct = csg_draws_directly(renderer, request);
+    const double start = csg_clock_ms();
+    if (!fill_frame(&picture, &params))
+        return false;
+    renderer->stats.cpu_ms = csg_clock_ms() - start;
     const bool ok =
         csg_batches_fill(&picture.batches, renderer, request) && prepare_shading(&picture) &&
         csg_upload_frame(renderer, request->scene->keeps_structure) && draw_bands(&picture);

@@ -111,10 +111,28 @@ GLuint csg_programs_noted(const struct csg_programs *programs, uint32_t name)
     return 0;
 }
 
+GLuint csg_programs_noted_above(const struct csg_programs *programs, uint32_t name, uint32_t more)
+{
+    const GLuint same = csg_programs_noted(programs, name);
+    for (size_t i = 0; i < programs->compiled.num && !same; i++) {
+        const uint32_t other = programs->compiled.data[i].name;
+        if ((other & name) == name && (other & ~more) == (name & ~more))
+            return programs->compiled.data[i].id;
+    }
+    return same;
+}
+
 void csg_programs_note(struct csg_programs *programs, GLuint id, uint32_t name)
 {
     if (id)
         csg_programs_find(programs, id)->name = name;
+}
+
+GLuint csg_programs_known(const struct csg_programs *programs, struct csg_stages stages)
+{
+    const GLuint known = stages.vertex && stages.fragment ? find(programs, &stages) : 0;
+    free_stages(&stages);
+    return known;
 }
 
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)

@@ -30,8 +30,14 @@ struct csg_programs {
 /* The program of these stages, which it takes ownership of. 0, with a message, on failure. */
 GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages);
 
+/* The same where there is such a program; 0: there is none, and none is compiled. */
+GLuint csg_programs_known(const struct csg_programs *programs, struct csg_stages stages);
+
 /* A program that has been noted under that name, whose text need not be made again; 0: none. */
 GLuint csg_programs_noted(const struct csg_programs *programs, uint32_t name);
+
+/* The same, or one whose name has bits of more besides. */
+GLuint csg_programs_noted_above(const struct csg_programs *programs, uint32_t name, uint32_t more);
 
 /* Notes a program. name: not 0, and the same for the same text only. */
 void csg_programs_note(struct csg_programs *programs, GLuint id, uint32_t name);

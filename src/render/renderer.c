@@ -171,6 +171,8 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
         return false;
     const double compiled = renderer->programs.compile_ms;
     const bool drawn = csg_picture_render(renderer, request);
+    renderer->last_scene = request->scene->keeps_structure ? request->scene : NULL;
+    renderer->last_revision = request->scene->revision;
     renderer->stats.compile_ms = renderer->programs.compile_ms - compiled;
     renderer->stats.programs = renderer->programs.compiled.num;
     return csg_gl_leave(renderer->gl) && drawn;
@@ -202,6 +204,15 @@ static bool is_ready(struct csgcast_renderer *renderer)
     return !renderer->lost;
 }
 
+/* Forced variants have the programs that they ask for. */
+static bool is_after_edit(const struct csgcast_renderer *renderer,
+                          const struct csg_request *request)
+{
+    return renderer->last_scene == request->scene &&
+           renderer->last_revision < request->scene->revision && request->resolver < 0 &&
+           !request->textbook;
+}
+
 bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                     const struct csgcast_view *view, const struct csgcast_image *image)
 {
@@ -216,6 +227,7 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
                                   .image = image ? image : &no_image};
     if (!resolve_request(renderer, &request))
         return false;
+    request.after_edit = is_after_edit(renderer, &request);
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
     const struct csg_reference_params params = {&request.frustum,        request.width,
                                                 request.height,          request.scheme,

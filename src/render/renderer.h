@@ -37,6 +37,8 @@ struct csgcast_renderer {
     struct csg_buffer instance_buffer, crowd_buffer;
     const struct csgcast_scene *thin_scene; /* an edited scene, and what is_thin said of it first */
     bool thin;
+    const struct csgcast_scene *last_scene; /* of the last frame, if it is one that is edited, */
+    uint64_t last_revision;                 /* ... as it was then */
     struct csg_frame frame;
     struct csgcast_stats stats;
 };
@@ -48,10 +50,11 @@ struct csg_request {
     struct csgcast_frustum frustum;
     const struct csg_colorscheme *scheme;
     int width, height;
-    int resolver;  /* enum csg_resolver, or -1 for the best */
-    bool textbook; /* crossings as textbooks have them */
-    bool shared;   /* no straight-line programs but those of single solids */
-    int tile_size; /* as in csg_frame_params */
+    int resolver;    /* enum csg_resolver, or -1 for the best */
+    bool textbook;   /* crossings as textbooks have them */
+    bool shared;     /* no straight-line programs but those of single solids */
+    int tile_size;   /* as in csg_frame_params */
+    bool after_edit; /* the first frame since then: it makes do with the programs that there are */
     const struct csgcast_image *image;
 };
 

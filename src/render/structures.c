@@ -29,13 +29,14 @@ static bool same_structure(const struct csg_structure *a, bool stiff,
     return true;
 }
 
-GLuint csg_structures_find(const struct csg_known_structures *known,
-                           const struct csg_structure *structure, bool stiff)
+const struct csg_known_structure *csg_structures_find(const struct csg_known_structures *known,
+                                                      const struct csg_structure *structure,
+                                                      bool stiff)
 {
     for (size_t i = 0; i < known->num; i++)
         if (same_structure(structure, stiff, &known->data[i]))
-            return known->data[i].program;
-    return 0;
+            return &known->data[i];
+    return NULL;
 }
 
 void csg_structures_add(struct csg_known_structures *known, const struct csg_structure *structure,

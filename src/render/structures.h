@@ -23,9 +23,10 @@ struct csg_known_structures {
     size_t num;
 };
 
-/* The program of a structure; 0: it has none. */
-GLuint csg_structures_find(const struct csg_known_structures *known,
-                           const struct csg_structure *structure, bool stiff);
+/* NULL: it is not among them. */
+const struct csg_known_structure *csg_structures_find(const struct csg_known_structures *known,
+                                                      const struct csg_structure *structure,
+                                                      bool stiff);
 
 /* There is room for it. */
 void csg_structures_add(struct csg_known_structures *known, const struct csg_structure *structure,

@@ -42,11 +42,44 @@ void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *s
     CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
 }
 
-size_t bench_num_programs(const struct csgcast_renderer *renderer)
+struct csgcast_renderer *bench_create_renderer(const struct bench *bench)
 {
-    struct csgcast_stats stats;
-    csgcast_renderer_get_stats(renderer, &stats);
-    return stats.programs;
+    struct csgcast_renderer *renderer =
+        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = bench->backend});
+    if (!renderer)
+        exit(1);
+    return renderer;
+}
+
+struct csgcast_scene *bench_begin(struct bench *bench, const char *text, bool announced)
+{
+    csgcast_renderer_destroy(bench->edited);
+    bench->edited = bench_create_renderer(bench);
+    bench->announced = announced;
+    bench->num_drawn = 0;
+    return bench_parse(text, announced);
+}
+
+void bench_draw_edited(struct bench *bench, const struct csgcast_scene *scene,
+                       const struct csgcast_camera *camera)
+{
+    struct csgcast_stats before, after;
+    csgcast_renderer_get_stats(bench->edited, &before);
+    bench_draw(bench->edited, scene, camera, &bench->got);
+    csgcast_renderer_get_stats(bench->edited, &after);
+    CHECK(!bench->announced || bench_forced || bench->num_drawn == 0 ||
+              after.programs == before.programs,
+          "an edit compiled: %zu programs became %zu (%s; numerics %s)\n%.4000s", before.programs,
+          after.programs, after.variants, after.numerics, bench->text);
+    bench->num_drawn++;
+}
+
+const char *bench_next_variant(size_t *name)
+{
+    const char *next = *name % 2 ? csgcast_variant_name(*name / 2) : NULL;
+    const bool is_last = *name % 2 && !next;
+    *name = is_last ? 0 : *name + 1;
+    return next && strcmp(next, "textbook") != 0 ? next : NULL;
 }
 
 void bench_compare_pictures(const struct bench *bench, const char *what, bool with_id)
@@ -90,7 +123,7 @@ void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
 {
     model_print(model, bench->text);
     struct csgcast_scene *fresh = bench_parse(bench->text, false);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     bench_compare_pictures(bench, what, with_id);
     if (with_id)

@@ -19,7 +19,10 @@ struct picture {
 };
 
 struct bench {
+    enum csgcast_backend backend;
     struct csgcast_renderer *edited, *fresh; /* one each, so that programs can be counted */
+    bool announced;                          /* the edited scene was parsed as editable, */
+    int num_drawn;                           /* ... and so many frames of it have been drawn */
     struct picture got, expected;
     char text[MODEL_MAX_TEXT];
 };
@@ -31,7 +34,17 @@ extern char bench_last_message[512];
 struct csgcast_scene *bench_parse(const char *text, bool editable);
 void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                 const struct csgcast_camera *camera, struct picture *picture);
-size_t bench_num_programs(const struct csgcast_renderer *renderer);
+
+/* A scene that will be edited, and a renderer of its own for it, which has no program yet. */
+struct csgcast_scene *bench_begin(struct bench *bench, const char *text, bool announced);
+
+/* A frame of it, into got. Where edits are announced only the first one may compile a program. */
+void bench_draw_edited(struct bench *bench, const struct csgcast_scene *scene,
+                       const struct csgcast_camera *camera);
+struct csgcast_renderer *bench_create_renderer(const struct bench *bench);
+
+/* By turns auto and the others, but for textbook: what that gets wrong depends on the structure. */
+const char *bench_next_variant(size_t *name);
 
 /* To the last bit, as the checks of tests/unit/check.h. */
 void bench_compare_pictures(const struct bench *bench, const char *what, bool with_id);
@@ -49,7 +62,7 @@ void check_series(struct bench *bench, uint64_t seed);
 void check_many(struct bench *bench, uint64_t seed);
 void check_upload(struct bench *bench);
 void check_batch(struct bench *bench);
-void check_growth(struct bench *bench); /* before all others: no program is there */
+void check_growth(struct bench *bench);
 void check_cases(struct bench *bench);
 
 #endif

@@ -16,29 +16,28 @@ static void check_empty(struct bench *bench)
     static const char without[] =
         "difference() { cube(10); sphere(0); }\ntranslate([20,0,0]) cube(3);";
     struct csgcast_leaf leaf;
-    struct csgcast_scene *scene = bench_parse(text, true), *fresh = bench_parse(without, false);
+    struct csgcast_scene *scene = bench_begin(bench, text, true),
+                         *fresh = bench_parse(without, false);
     const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
-    bench_draw(bench->edited, scene, NULL, &bench->got);
-    const size_t programs = bench_num_programs(bench->edited);
+    bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     CHECK(csgcast_scene_set_parameters(scene, 1, "r = 0"), "%s", bench_last_message);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_compare_pictures(bench, "empty by parameters", false);
     CHECK(csgcast_scene_get_leaf(scene, 1, &leaf) && leaf.empty &&
               strcmp(leaf.parameters, "r = 0") == 0,
           "leaf 1 is not empty");
     CHECK(csgcast_scene_set_parameters(scene, 1, "4"), "%s", bench_last_message);
     CHECK(csgcast_scene_set_matrix(scene, 1, flat), "%s", bench_last_message);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_compare_pictures(bench, "empty by matrix", false);
     struct csgcast_scene *whole = bench_parse(text, false);
     CHECK(csgcast_scene_get_leaf(scene, 0, &leaf) &&
               csgcast_scene_set_matrix(scene, 1, leaf.matrix),
           "%s", bench_last_message);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, whole, NULL, &bench->expected);
     bench_compare_pictures(bench, "back again", true);
-    CHECK(bench_num_programs(bench->edited) == programs, "an empty leaf compiled a program");
     csgcast_scene_destroy(whole);
     csgcast_scene_destroy(fresh);
     csgcast_scene_destroy(scene);
@@ -75,7 +74,7 @@ void check_growth(struct bench *bench)
         at += snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "translate([%d, %d, 3]) sphere(%d);",
                        3 * (i % 5) - 5, 4 * (i / 5) - 4, 2 + i % 7);
     snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "}");
-    struct csgcast_scene *scene = bench_parse(text, true), *fresh = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text, true), *fresh = bench_parse(text, false);
     CHECK(csgcast_scene_set_matrix(scene, 0, small), "%s", bench_last_message);
     const size_t programs = draw_large(bench->edited, scene, "straight 1", got);
     CHECK(csgcast_scene_set_matrix(scene, 0, large), "%s", bench_last_message);
@@ -94,7 +93,7 @@ static void check_getters(struct bench *bench)
         "  cylinder(h = 3, /* ) */ r = 1);\n"
         "linear_extrude(height = 2) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);";
     static const double expected[16] = {2, 0, 0, 5, 0, 3, 0, 6, 0, 0, 4, 7, 0, 0, 0, 1};
-    struct csgcast_scene *scene = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text, false);
     struct csgcast_leaf leaf, piece;
     CHECK(csgcast_scene_get_leaf(scene, 0, &leaf), "%s", bench_last_message);
     CHECK(memcmp(leaf.matrix, expected, sizeof expected) == 0, "the matrix differs");
@@ -116,7 +115,7 @@ static void check_getters(struct bench *bench)
         "multmatrix([[2,0,0,5],[0,3,0,6],[0,0,4,7],[0,0,0,1]])"
         "linear_extrude(height = 2) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);",
         false);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     bench_compare_pictures(bench, "pieces", true);
     CHECK(!csgcast_scene_set_parameters(scene, 1, "height = 3") &&
@@ -137,13 +136,14 @@ static void check_same(struct bench *bench)
         " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])"
         "\n"
         "  multmatrix([[1,0,0,3.33333],[0,1,0,3.33333],[0,0,1,5],[0,0,0,1]]) cube([3,3,5]);\n}";
-    struct csgcast_scene *scene = bench_parse(text, false), *fresh = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text, false),
+                         *fresh = bench_parse(text, false);
     struct csgcast_leaf leaf;
     CHECK(csgcast_scene_get_leaf(scene, 1, &leaf) &&
               csgcast_scene_set_parameters(scene, 1, leaf.parameters) &&
               csgcast_scene_set_matrix(scene, 1, leaf.matrix),
           "%s", bench_last_message);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     bench_compare_pictures(bench, "unchanged", true);
     bench_compare_info(scene, fresh, "unchanged");
@@ -168,21 +168,90 @@ static void check_section(struct bench *bench)
 {
     char text[8192];
     print_section(text, sizeof text, 7);
-    struct csgcast_scene *scene = bench_parse(text, true);
-    bench_draw(bench->edited, scene, NULL, &bench->got);
-    const size_t programs = bench_num_programs(bench->edited);
+    struct csgcast_scene *scene = bench_begin(bench, text, true);
+    bench_draw_edited(bench, scene, NULL);
     for (double at = -5; at < 20; at += 2.5) {
         const double matrix[16] = {1, 0, 0, at, 0, 1, 0, -9, 0, 0, 1, -9, 0, 0, 0, 1};
         print_section(text, sizeof text, at);
         struct csgcast_scene *fresh = bench_parse(text, false);
         CHECK(csgcast_scene_set_matrix(scene, 40, matrix), "%s", bench_last_message);
-        bench_draw(bench->edited, scene, NULL, &bench->got);
+        bench_draw_edited(bench, scene, NULL);
         bench_draw(bench->fresh, fresh, NULL, &bench->expected);
         bench_compare_pictures(bench, "section", true);
         bench_compare_info(scene, fresh, "section");
         csgcast_scene_destroy(fresh);
     }
-    CHECK(bench_num_programs(bench->edited) == programs, "a section compiled a program");
+    csgcast_scene_destroy(scene);
+}
+
+/* What boxes leave of a node may be several objects, which are blended one by one: so they are as
+ * well where solids are kept that do not show. */
+static void check_blended(struct bench *bench)
+{
+    static const char *const parts[][3] = {{"", "color([0, 1, 0, 0.5]) sphere(3);", ""},
+                                           {"", "#sphere(3);", ""},
+                                           {"%", "sphere(3);", "cube(1);"}};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        snprintf(bench->text, MODEL_MAX_TEXT,
+                 "%sdifference() { union() { %s"
+                 " multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(3); }"
+                 " multmatrix([[1,0,0,50],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(1); } %s",
+                 parts[i][0], parts[i][1], parts[i][2]);
+        struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+        struct csgcast_scene *fresh = bench_parse(bench->text, false);
+        bench_draw_edited(bench, scene, NULL);
+        bench_draw(bench->fresh, fresh, NULL, &bench->expected);
+        bench_compare_pictures(bench, "blended", true);
+        csgcast_scene_destroy(fresh);
+        csgcast_scene_destroy(scene);
+    }
+}
+
+/* A scene whose first frame had no use for a shading pass: bytes, as a viewer asks for them. */
+static void draw_bytes(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                       uint8_t *rgba, struct csgcast_stats *stats)
+{
+    const struct csgcast_view view = {.width = SIZE, .height = SIZE};
+    const struct csgcast_image image = {.rgba8 = rgba};
+    CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
+    csgcast_renderer_get_stats(renderer, stats);
+}
+
+/* Other numbers of faces, solids that turn translucent, and what is left of an object: all of it is
+ * drawn by what was compiled for the first frame. */
+static void check_bytes(struct bench *bench)
+{
+    static const char format[] =
+        "difference() { cube(6); cylinder(%s); }\ncolor([%s]) cylinder(%s);\n";
+    static const char *const edits[][3] = {
+        {"h = 9, r = 2, $fn = 6", "1, 1, 0, 1", "h = 4, r = 5, $fn = 5"},
+        {"h = 9, r = 0", "1, 1, 0, 1", "h = 4, r = 5, $fn = 3"},
+        {"h = 9, r = 0", "1, 0, 0, 0.5", "h = 4, r = 5, $fn = 4"},
+        {"h = 9, r = 3", "1, 0, 0, 0.5", "h = 4, r = 5"},
+        {"h = 9, r = 3", "1, 0, 1, 1", "h = 4, r1 = 5, r2 = 0, $fn = 9"},
+    };
+    static uint8_t got[4 * PIXELS], expected[4 * PIXELS];
+    struct csgcast_stats stats;
+    snprintf(bench->text, MODEL_MAX_TEXT, format, "h = 9, r = 2", "1, 1, 0, 1", "h = 4, r = 5");
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    draw_bytes(bench->edited, scene, got, &stats);
+    const size_t programs = stats.programs;
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        float color[4];
+        sscanf(edits[i][1], "%f, %f, %f, %f", &color[0], &color[1], &color[2], &color[3]);
+        const struct csgcast_edit both[2] = {
+            {.leaf = 1, .parameters = edits[i][0]},
+            {.leaf = 2, .parameters = edits[i][2], .color = color}};
+        CHECK(csgcast_scene_edit(scene, both, 2), "%s", bench_last_message);
+        draw_bytes(bench->edited, scene, got, &stats);
+        CHECK(stats.programs == programs, "edit %zu compiled: %zu programs became %zu (%s)", i,
+              programs, stats.programs, stats.variants);
+        snprintf(bench->text, MODEL_MAX_TEXT, format, edits[i][0], edits[i][1], edits[i][2]);
+        struct csgcast_scene *fresh = bench_parse(bench->text, false);
+        draw_bytes(bench->fresh, fresh, expected, &stats);
+        CHECK(memcmp(got, expected, sizeof got) == 0, "edit %zu: pixels differ", i);
+        csgcast_scene_destroy(fresh);
+    }
     csgcast_scene_destroy(scene);
 }
 
@@ -196,7 +265,7 @@ static void expect_error(bool refused, const char *message)
 static void check_errors(struct bench *bench)
 {
     static const char text[] = "cube(2);\nsphere(1);";
-    struct csgcast_scene *scene = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text, false);
     double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const float nan_color[4] = {NAN, 0, 0, 1};
     const struct csgcast_edit second_wrong[2] = {{.leaf = 0, .parameters = "3"},
@@ -212,7 +281,7 @@ static void check_errors(struct bench *bench)
     expect_error(!csgcast_scene_set_parameters(scene, 1, "r = 3); cube("), "nothing may follow");
     CHECK(csgcast_scene_set_parameters(scene, 1, "1 // end"), "%s", bench_last_message);
     expect_error(!csgcast_scene_edit(scene, second_wrong, 2), "there is no leaf 7");
-    bench_draw(bench->edited, scene, NULL, &bench->got);
+    bench_draw_edited(bench, scene, NULL);
     bench_compare_pictures(bench, "after refused edits", true);
     csgcast_scene_destroy(scene);
 }
@@ -223,5 +292,7 @@ void check_cases(struct bench *bench)
     check_getters(bench);
     check_same(bench);
     check_section(bench);
+    check_blended(bench);
+    check_bytes(bench);
     check_errors(bench);
 }

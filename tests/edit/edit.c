@@ -13,36 +13,26 @@
 
 #include "bench.h"
 
-static struct csgcast_renderer *create(enum csgcast_backend backend)
-{
-    struct csgcast_renderer *renderer =
-        csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = backend});
-    if (!renderer)
-        exit(1);
-    return renderer;
-}
-
 int main(int argc, char **argv)
 {
     static struct bench bench;
-    enum csgcast_backend backend = CSGCAST_BACKEND_EGL;
     unsigned long long seed = 1;
     int num_scenes = 10;
+    bench.backend = CSGCAST_BACKEND_EGL;
     for (int i = 1; i < argc; i++) {
         if (strncmp(argv[i], "--scenes=", 9) == 0)
             num_scenes = atoi(argv[i] + 9);
         else if (strncmp(argv[i], "--seed=", 7) == 0)
             seed = strtoull(argv[i] + 7, NULL, 10);
         else if (strcmp(argv[i], "--backend=osmesa") == 0)
-            backend = CSGCAST_BACKEND_OSMESA;
+            bench.backend = CSGCAST_BACKEND_OSMESA;
         else if (strcmp(argv[i], "--backend=reference") == 0)
-            backend = CSGCAST_BACKEND_REFERENCE;
+            bench.backend = CSGCAST_BACKEND_REFERENCE;
         else if (strcmp(argv[i], "--backend=egl") != 0)
             return fprintf(stderr, "edit: unknown option %s\n", argv[i]), 2;
     }
-    bench.edited = create(backend);
-    bench.fresh = create(backend);
-    check_growth(&bench); /* first: no program is there */
+    bench.fresh = bench_create_renderer(&bench);
+    check_growth(&bench);
     for (int i = 0; i < num_scenes; i++)
         check_random(&bench, seed + (unsigned)i, 3 + 5 * (i % 10), i % 2);
     for (int i = 0; i < num_scenes; i++)

@@ -57,15 +57,6 @@ static bool has_empty(const struct model *model)
     return false;
 }
 
-/* By turns auto and the others, but for textbook: what that gets wrong depends on the structure. */
-static const char *next_variant(size_t *name)
-{
-    const char *next = *name % 2 ? csgcast_variant_name(*name / 2) : NULL;
-    const bool is_last = *name % 2 && !next;
-    *name = is_last ? 0 : *name + 1;
-    return next && strcmp(next, "textbook") != 0 ? next : NULL;
-}
-
 /* Every few of them are compared with a fresh scene. */
 void check_many(struct bench *bench, uint64_t seed)
 {
@@ -73,12 +64,12 @@ void check_many(struct bench *bench, uint64_t seed)
     size_t name = 0;
     model_init_many(&model, seed, NUM_OBJECTS);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, seed % 2);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, seed % 2);
     for (int i = 0; i < NUM_IN_A_ROW; i++) {
         const char *what = change(&model, scene, (size_t)model_random(&model, 0, model.num_leaves));
         if (i % 3)
             continue;
-        bench_forced = next_variant(&name);
+        bench_forced = bench_next_variant(&name);
         bench_compare(bench, scene, &model, what, !has_empty(&model));
     }
     bench_forced = NULL;
@@ -98,16 +89,16 @@ void check_upload(struct bench *bench)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
     for (int i = 0; i < 2; i++) {
-        bench_draw(bench->edited, scene, &camera, &bench->got);
+        bench_draw_edited(bench, scene, &camera);
         CHECK(csgcast_scene_set_color(scene, 17, red), "%s", bench_last_message);
     }
-    bench_draw(bench->edited, scene, &camera, &bench->got);
+    bench_draw_edited(bench, scene, &camera);
     csgcast_renderer_get_stats(bench->edited, &stats);
     CHECK(4 * stats.bytes_uploaded <= stats.texture_bytes, "a colour: %zu bytes of %zu",
           stats.bytes_uploaded, stats.texture_bytes);
-    bench_draw(bench->edited, scene, &camera, &bench->got);
+    bench_draw_edited(bench, scene, &camera);
     csgcast_renderer_get_stats(bench->edited, &stats);
     CHECK(stats.bytes_uploaded == 0, "nothing: %zu bytes", stats.bytes_uploaded);
     csgcast_scene_destroy(scene);

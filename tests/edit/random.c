@@ -16,7 +16,7 @@ void check_series(struct bench *bench, uint64_t seed)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
     for (int i = 0; i < 8 * NUM_EDITS; i++) {
         const size_t leaf = (size_t)model_random(&model, 0, model.num_leaves);
         struct model_leaf *own = &model.leaves[leaf];
@@ -27,8 +27,7 @@ void check_series(struct bench *bench, uint64_t seed)
         CHECK(csgcast_scene_set_matrix(scene, leaf, own->matrix), "%s", bench_last_message);
         if (i % 4)
             continue;
-        bench_forced = csgcast_variant_name(name++);
-        name = bench_forced ? name : 0;
+        bench_forced = bench_next_variant(&name);
         bench_compare(bench, scene, &model, bench_forced ? bench_forced : "auto", true);
     }
     bench_forced = NULL;
@@ -65,7 +64,7 @@ void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool edita
     static struct model model;
     model_init(&model, seed, max_leaves);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, editable);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, editable);
     bench_compare(bench, scene, &model, "before", true);
     for (int i = 0; i < NUM_EDITS; i++) {
         const char *what = edit_one(&model, scene, random_leaf(&model));
@@ -74,7 +73,7 @@ void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool edita
     csgcast_scene_destroy(scene);
 }
 
-/* Programs for structures only: from afar no quadric is stiff, and all colours are opaque. */
+/* Solids that come and go, of all structures, in one view. */
 void check_programs(struct bench *bench, uint64_t seed, int max_leaves)
 {
     static struct model model;
@@ -87,9 +86,8 @@ void check_programs(struct bench *bench, uint64_t seed, int max_leaves)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, true);
-    bench_draw(bench->edited, scene, &camera, &bench->got);
-    const size_t programs = bench_num_programs(bench->edited);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    bench_draw_edited(bench, scene, &camera);
     for (int i = 0; i < 4 * NUM_EDITS; i++) {
         const size_t leaf = random_leaf(&model);
         model_random_matrix(&model, model.leaves[leaf].matrix);
@@ -97,9 +95,7 @@ void check_programs(struct bench *bench, uint64_t seed, int max_leaves)
         const struct csgcast_edit edit = {leaf, model.leaves[leaf].matrix,
                                           model.leaves[leaf].parameters, orange};
         CHECK(csgcast_scene_edit(scene, &edit, 1), "%s", bench_last_message);
-        bench_draw(bench->edited, scene, &camera, &bench->got);
-        CHECK(bench_num_programs(bench->edited) == programs, "seed %llu: %zu programs became %zu",
-              (unsigned long long)seed, programs, bench_num_programs(bench->edited));
+        bench_draw_edited(bench, scene, &camera);
     }
     csgcast_scene_destroy(scene);
 }
@@ -112,7 +108,7 @@ void check_batch(struct bench *bench)
     double matrices[5][16];
     model_init(&model, 11, 20);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_parse(bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
     for (size_t i = 0; i < 5; i++) {
         model_random_matrix(&model, matrices[i]);
         edits[i] = (struct csgcast_edit){.leaf = i < 4 ? i : 0, .matrix = matrices[i]};

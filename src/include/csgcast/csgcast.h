@@ -104,7 +104,8 @@ struct csgcast_scene_params {
     const char *directory;      /* where relative file names in the scene start. NULL: that of the
                                  * path; the working directory for text in memory and "-" */
     const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
-    bool editable;              /* edits will follow: small objects keep what does not show */
+    bool editable;              /* edits will follow: the first frame of a renderer compiles all
+                                 * programs that they may ask for */
     bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
     const char *cache;   /* directory for what openscad made of them; "": none. NULL:
                           * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
@@ -212,12 +213,12 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * A scene's leaves are its solids in the order of the text: the index of the channel id. An edit
  * changes matrix, parameters or colour of some of them as if the text had been changed and loaded
  * again, to the last bit; what follows from them (bounds, what is left out, coincident faces) is
- * made anew, also what had been left out before. Renderers keep their programs: a frame after an
- * edit uploads bytes and compiles nothing, unless a solid got another number of faces (a polygon's
- * $fn) or turned translucent, or an object shows that did not and has a structure of its own; a
- * view of it may be one that needs another program, as a moved camera's may; and where the load had
- * left solids of small objects out by their boxes, the first edit brings them back to stay
- * (csgcast_scene_params.editable: from the start).
+ * made anew, also what had been left out before. Renderers keep their programs: the frame after an
+ * edit uploads bytes and compiles nothing. What newly shows is drawn by programs that are there; a
+ * further frame without an edit between may compile one that draws it sooner, as a moved camera's
+ * may. That holds for scenes that are loaded as editable (csgcast_scene_params), whose first frame
+ * compiles what edits may ask for. Of others the first edit makes one that is, and the frame after
+ * it compiles that.
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
  * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
