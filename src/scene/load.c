@@ -11,6 +11,7 @@
 #include "scene/edits.h"
 #include "scene/handoff.h"
 #include "scene/openscad.h"
+#include "scene/plain_text.h"
 
 static const struct csgcast_scene_params default_params;
 
@@ -203,6 +204,10 @@ static struct csgcast_scene *load_csg(const char *path, const struct csgcast_sce
         return NULL;
     if (!named.name)
         named.name = strcmp(path, "-") == 0 ? "<stdin>" : path;
+    if (!csg_plain_text_check(named.name, &text, log)) {
+        free(text.data);
+        return NULL;
+    }
     return parse_own(text.data, text.num, &named);
 }
 

@@ -12,6 +12,7 @@
 
 #include "common/process.h"
 #include "scene/digits.h"
+#include "scene/plain_text.h"
 #include "scene/viewpoint.h"
 
 /* One run of openscad. It starts as zeroes. */
@@ -71,9 +72,23 @@ static bool check_readable(const struct run *run)
     return !error;
 }
 
+/* Of a pipe nothing would be left for openscad. */
+static bool check_text(const struct run *run)
+{
+    struct stat info;
+    struct csg_bytes text;
+    if (stat(run->input, &info) == 0 && !S_ISREG(info.st_mode))
+        return true;
+    if (!csg_file_read(run->input, &text, run->log))
+        return false;
+    const bool ok = csg_plain_text_check(run->path, &text, run->log);
+    free(text.data);
+    return ok;
+}
+
 static bool prepare(struct run *run)
 {
-    return make_absolute(run) && check_readable(run) && make_folder(run);
+    return make_absolute(run) && check_readable(run) && check_text(run) && make_folder(run);
 }
 
 static void finish(struct run *run)

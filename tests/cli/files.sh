@@ -38,6 +38,31 @@ LD_DEBUG=files "$csgcast" render part.csg "${small[@]}" -o x.tif 2>loaded
 check "a TIFF does" grep -q OpenImageIO loaded
 rm x.png x.tif loaded
 
+# What is no text. openscad says nothing of a zero and takes what is before it.
+printf '\xff\xfec\0u\0b\0e\0(\0)\0;\0' >utf16.scad
+printf 'c\0u\0b\0e\0(\0)\0;\0' >unmarked.scad
+printf 'cube(1);\n\0\1' >zero.scad
+{
+    head -c 80 /dev/zero
+    printf '\1\0\0\0'
+    head -c 50 /dev/zero
+} >mesh.scad
+for name in utf16 unmarked zero mesh; do
+    expect 1 "$name.scad" render "$name.scad" -o x.png
+    says "$name.scad: no scene's text"
+    expect 1 "$name.scad as .csg" render - -o x.png <"$name.scad"
+    says "<stdin>: no scene's text"
+done
+expect 1 "UTF-16" info utf16.scad
+says "byte 4 is zero; it seems to be text in UTF-16"
+expect 1 "UTF-16 without a mark" info unmarked.scad
+says "UTF-16"
+expect 1 "a binary STL" info mesh.scad
+says "STL"
+expect 1 "something else" info zero.scad
+says "byte 10 is zero; it seems to be binary data"
+rm utf16.scad unmarked.scad zero.scad mesh.scad
+
 # Streams.
 "$csgcast" render - -o - "${small[@]}" <part.csg >piped.png 2>err
 report $? "standard input to standard output"
