@@ -15,9 +15,10 @@ struct csg_triangles {
     CSG_ARRAY(uint32_t) corners; /* three a triangle, counter-clockwise: points of the drawing */
 };
 
-/* The time grows with the square of the corners where triangles are long, and with their number
- * times that of the holes: figures with more should be refused. */
-#define CSG_TRIANGULATE_MAX_CORNERS 100000
+/* The time grows with the square of the corners where triangles are long (a spiral of 200,000 takes
+ * 10 s, a wave of 10^6 one), and with their number times that of the holes: figures with more
+ * should be refused. */
+#define CSG_TRIANGULATE_MAX_CORNERS 2000000
 
 /* Appends the figure's triangles. false: out of memory. */
 bool csg_figure_triangulate(const struct csg_drawing *drawing, const struct csg_figure *figure,

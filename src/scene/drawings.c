@@ -15,6 +15,9 @@ struct frame {
     struct csg_space own; /* clips: from the children's space to that around */
 };
 
+/* Time and memory of a sweep grow with the square of the corners in long figures. */
+enum { max_swept_corners = 100000 };
+
 struct reader {
     struct csg_walk *walk;
     struct csg_drawing *drawing;
@@ -157,16 +160,24 @@ static bool close_node(struct reader *reader)
                              &reader->frames.data[reader->frames.num - 1].space);
 }
 
+/* Of a figure with more corners than are swept Clipper makes the outline, as in OpenSCAD. */
+static bool wants_clip(struct reader *reader, size_t num_corners)
+{
+    return reader->clips || (num_corners > max_swept_corners && csg_clip_is_there(reader->walk));
+}
+
 static bool read_figure(struct reader *reader, uint32_t node)
 {
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     const uint32_t draw = (uint32_t)reader->drawing->nodes.num;
+    const size_t begin = reader->drawing->points.num;
     const bool is_clean = ops->figure == csg_figure_square || ops->figure == csg_figure_circle;
     struct csg_args args;
     return csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args) &&
            ops->figure(reader->walk, node, &args,
                        &reader->frames.data[reader->frames.num - 1].space, reader->drawing) &&
-           (!reader->clips || is_clean || reader->drawing->nodes.num == draw ||
+           (is_clean || reader->drawing->nodes.num == draw ||
+            !wants_clip(reader, reader->drawing->points.num - begin) ||
             csg_clip_evaluate(reader->walk, reader->drawing, draw));
 }
 

@@ -5,6 +5,7 @@
  * Large, deep and hostile texts, made here. SCALE (default 1) multiplies their size. Each must be
  * read, or refused with messages, in time and memory proportional to its size.
  */
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -98,6 +99,23 @@ static int check_many_leaves(void)
     return check(&text, &(struct expectation){"many leaves", true, num, 0, NULL});
 }
 
+/* A drawing of more corners than are swept is one surface all the same. */
+static int check_corners(void)
+{
+    struct text text = {0};
+    const int num = 300000;
+    text_add(&text, "mirror([1, 0, 0]) linear_extrude(height = 2) mirror([1, 0, 0]) polygon([");
+    for (int i = 0; i < num; i++) {
+        const double angle = 2 * 3.14159265358979323846 * i / num;
+        const double radius = 100 + 20 * sin(9 * angle);
+        char corner[80];
+        snprintf(corner, sizeof corner, "[%.17g,%.17g],", radius * cos(angle), radius * sin(angle));
+        add_bytes(&text, corner, strlen(corner));
+    }
+    text_add(&text, "]);");
+    return check(&text, &(struct expectation){"many corners", true, 1, 0, NULL});
+}
+
 static int check_depth(void)
 {
     static const char *const openings[] = {
@@ -181,8 +199,8 @@ int main(int argc, char **argv)
 {
     if (argc > 1)
         scale = strtoul(argv[1], NULL, 10);
-    int num_failed = check_many_leaves() + check_depth() + check_brackets() + check_long_tokens() +
-                     check_garbage();
+    int num_failed = check_many_leaves() + check_corners() + check_depth() + check_brackets() +
+                     check_long_tokens() + check_garbage();
     num_failed += check_open("{", 1, "never closed");
     num_failed += check_open("}", CSG_REPORT_SHOWN + 1, "closes nothing");
     num_failed += check_open("group(){", 1, "never closed");
