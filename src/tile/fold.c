@@ -89,6 +89,13 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
     return CSG_VARIES;
 }
 
+/* Beyond its context a leaf may be anything: faces there do not matter (csg_range_filter). */
+static void narrow(struct csg_leaf_range *leaf, struct csg_range context)
+{
+    leaf->entry.lo = csg_larger(leaf->entry.lo, context.lo);
+    leaf->exit.hi = csg_smaller(leaf->exit.hi, context.hi);
+}
+
 /* The key behind which nothing shows. */
 static double front_of(struct csg_tiler *tiler, const struct csg_tree *tree)
 {
@@ -107,8 +114,10 @@ static bool judge_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
-            const uint8_t known = judge(csg_tiler_range(tiler, node->leaf), contexts[i]);
+            struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
+            const uint8_t known = judge(leaf, contexts[i]);
             tiler->terms->known[node->leaf] = known;
+            narrow(leaf, contexts[i]);
             found |= known != CSG_VARIES;
             continue;
         }
@@ -240,6 +249,7 @@ static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
     for (uint32_t i = 1; i < tree->num && any; i++) {
         const uint32_t leaf = tree->data[i].leaf;
         known[leaf] = judge(csg_tiler_range(tiler, leaf), common);
+        narrow(csg_tiler_range(tiler, leaf), common);
         any = keep_flat(tree, i, known[leaf], &num);
     }
     end_flat(tree, num);

@@ -169,19 +169,14 @@ bool csg_range_filter(const struct csg_terms *terms, const struct csg_leaf_terms
                       bool *planes)
 {
     const uint32_t num = leaf->num_entries + leaf->num_exits;
-    struct csg_leaf_range flat = {{-(double)CSG_KEY_MAX, 0}, {0, (double)CSG_KEY_MAX}, true};
     for (uint32_t i = 0; i < num; i++) {
         const struct csg_range key = csg_range_of_plane(csg_terms_texel(terms, leaf, i), tile);
         const bool is_entry = i < leaf->num_entries;
         planes[i] = is_entry ? key.hi >= range->entry.lo : key.lo <= range->exit.hi;
-        if (is_entry)
-            flat.entry.lo = csg_larger(flat.entry.lo, key.lo);
-        else
-            flat.exit.hi = csg_smaller(flat.exit.hi, key.hi);
     }
     if (!(leaf->flags & CSG_RECORD_QUADRIC))
         return false;
     const struct csg_quadric_range curved =
         csg_range_of_quadric(csg_terms_texel(terms, leaf, num), tile);
-    return matters(&flat, &curved);
+    return matters(range, &curved);
 }

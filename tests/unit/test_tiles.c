@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+
+/* How tiles are drawn: by which programs, and the same as the reference has it. */
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "csgcast/csgcast.h"
+
+struct example {
+    const char *name, *solid; /* what is cut out of a plate, 16 x 16 times, in cells of 4 units */
+    int size;
+    int max_loops; /* tiles that are left to the loop, of a thousand and more */
+};
+
+static const struct example examples[] = {
+    {"square holes",
+     "multmatrix([[1, 0, 0, 0.8], [0, 1, 0, 0.8], [0, 0, 1, 0], [0, 0, 0, 1]]) "
+     "cube([2.4, 2.4, 6]);",
+     512, 150},
+    {"round holes",
+     "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) "
+     "cylinder(h = 6, r1 = 1.4, r2 = 1.4);",
+     512, 20},
+};
+
+static char *plate(const char *solid)
+{
+    const size_t room = 256 * (strlen(solid) + 100) + 100;
+    char *text = malloc(room);
+    size_t num = 0;
+    if (!text)
+        return NULL;
+    num += (size_t)snprintf(text, room,
+                            "difference() { multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], "
+                            "[0, 0, 0, 1]]) cube([64, 64, 4]);\n");
+    for (int i = 0; i < 256; i++)
+        num += (size_t)snprintf(
+            text + num, room - num,
+            "multmatrix([[1, 0, 0, %d], [0, 1, 0, %d], [0, 0, 1, 0], [0, 0, 0, 1]]) %s\n",
+            4 * (i % 16), 4 * (i / 16), solid);
+    snprintf(text + num, room - num, "}\n");
+    return text;
+}
+
+static int count_of(const struct csgcast_stats *stats, const char *variant)
+{
+    const char *at = strstr(stats->variants, variant);
+    return at ? atoi(at + strlen(variant)) : 0;
+}
+
+struct picture {
+    float *z;
+    float *id;
+};
+
+static bool draw(enum csgcast_backend backend, const struct csgcast_scene *scene, int size,
+                 struct picture *picture, struct csgcast_stats *stats)
+{
+    const struct csgcast_renderer_params params = {.backend = backend};
+    const struct csgcast_view view = {.width = size, .height = size};
+    const size_t num = (size_t)size * (size_t)size;
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    picture->z = malloc(num * sizeof *picture->z);
+    picture->id = malloc(num * sizeof *picture->id);
+    const struct csgcast_image image = {.z = picture->z, .id = picture->id};
+    const bool ok = picture->z && picture->id && csgcast_render(renderer, scene, &view, &image);
+    csgcast_renderer_get_stats(renderer, stats);
+    csgcast_renderer_destroy(renderer);
+    return ok;
+}
+
+/* Pixels at whose edges float and double differ. */
+#define MAX_WRONG_SHARE 2e-5
+
+static void compare(const struct example *example, const struct picture *a, const struct picture *b)
+{
+    const size_t num = (size_t)example->size * (size_t)example->size;
+    size_t wrong = 0, hits = 0;
+    for (size_t i = 0; i < num; i++) {
+        hits += a->id[i] >= 0;
+        wrong += a->id[i] != b->id[i] ||
+                 (a->id[i] >= 0 && !(fabsf(a->z[i] - b->z[i]) <= 1e-4F * fabsf(b->z[i])));
+    }
+    CHECK(hits > num / 8, "%s: %zu pixels", example->name, hits);
+    CHECK((double)wrong <= MAX_WRONG_SHARE * (double)num, "%s: %zu pixels", example->name, wrong);
+}
+
+static void check_example(const struct example *example)
+{
+    char *text = plate(example->solid);
+    struct csgcast_scene *scene = text ? csgcast_scene_parse(text, strlen(text), NULL) : NULL;
+    struct picture tiles = {NULL, NULL}, reference = {NULL, NULL};
+    struct csgcast_stats stats, none;
+    const bool ok = scene && draw(CSGCAST_BACKEND_AUTO, scene, example->size, &tiles, &stats) &&
+                    draw(CSGCAST_BACKEND_REFERENCE, scene, example->size, &reference, &none);
+    CHECK(ok, "%s", example->name);
+    if (ok) {
+        CHECK(stats.tiles_mixed + stats.tiles_opaque > 1000, "%s: %s", example->name,
+              stats.variants);
+        CHECK(count_of(&stats, "loop ") <= example->max_loops, "%s: %s", example->name,
+              stats.variants);
+        compare(example, &tiles, &reference);
+    }
+    csgcast_scene_destroy(scene);
+    free(text);
+    free(tiles.z);
+    free(tiles.id);
+    free(reference.z);
+    free(reference.id);
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
+        check_example(&examples[i]);
+    return num_failed != 0;
+}
