@@ -132,6 +132,12 @@ struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *buil
 /* How far a face of the leaf may be off one that has that rounding and coincides with it. */
 double csg_carrier_tolerance(const struct csg_leaf_extent *extent, double other_rounding);
 
+/* How far a plane that has that rounding, and coincides with a face of that extent, may differ from
+ * it. */
+struct csg_carrier_spread csg_carrier_spread_of(const struct csg_carrier_builder *builder,
+                                                const struct csg_leaf_extent *extent,
+                                                double other_rounding);
+
 /* The carrier that the plane, or the leaf's quadric, lies on: of all that are within the tolerance
  * the first, which does not depend on how they are looked for; false: there is none. */
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,

@@ -91,7 +91,10 @@ bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,
     face->carrier = CSG_NO_CARRIER;
     find_parallel(builder, plane, plane, extent, rank, face);
     struct csg_index_probe probe;
-    csg_index_probe_normals(&builder->index, plane, &probe);
+    const struct csg_carrier_spread spread =
+        csg_carrier_spread_of(builder, extent, builder->largest_rounding);
+    const int width = csg_carrier_narrowest(&builder->index.space, &spread);
+    csg_index_probe_normals(&builder->index, width, plane, &probe);
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         const struct csg_plane *carrier = &builder->carriers->planes[i];
         const struct csg_plane like = turned_plane(plane, carrier, extent);

@@ -6,6 +6,9 @@
 #define NO_ENTRY UINT32_MAX
 #define INITIAL_BUCKETS 64
 
+/* Entries of a bucket that are asked whether they are a normal's. */
+#define MAX_MET 16
+
 bool csg_index_start(struct csg_carrier_index *index, const struct csg_carrier_space *space)
 {
     index->space = *space;
@@ -105,44 +108,72 @@ static bool is_same_entry(const struct csg_index_entry *a, uint64_t key, int64_t
     return a->key == key && a->normal == normal;
 }
 
-/* The link to the entry of a normal in a coarse cell, or the end of its bucket. */
-static uint32_t *normal_link(struct csg_carrier_index *index, uint64_t key, int64_t normal)
+/* An entry of a normal in a coarse cell, among the first ones that are met: wide cells may have very
+ * many. NO_ENTRY: there is none; then it gets one more. */
+static uint32_t find_normal(const struct csg_carrier_index *index, uint64_t key, int64_t normal)
 {
-    uint32_t *link = &index->buckets.data[csg_index_bucket(index, key)];
-    while (*link != NO_ENTRY && !is_same_entry(&index->entries.data[*link], key, normal))
-        link = &index->entries.data[*link].next;
-    return link;
+    uint32_t entry = index->buckets.data[csg_index_bucket(index, key)];
+    for (int i = 0; entry != NO_ENTRY && i < MAX_MET; i++) {
+        if (is_same_entry(&index->entries.data[entry], key, normal))
+            return entry;
+        entry = index->entries.data[entry].next;
+    }
+    return NO_ENTRY;
 }
 
-static bool add_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
+static uint32_t *member(struct csg_carrier_index *index, int width, uint32_t carrier)
+{
+    return &index->members.data[csg_index_member(index, width, carrier)];
+}
+
+static bool add_normal(struct csg_carrier_index *index, int width, const struct csg_plane *plane,
                        int64_t normal, uint32_t carrier)
 {
-    const uint64_t key = csg_normal_key(&index->space, plane);
-    const uint32_t entry = *normal_link(index, key, normal);
-    csg_directions_add(&index->directions, plane->normal);
-    while (index->members.num <= carrier)
-        if (!csg_array_push(&index->members, NO_ENTRY))
-            return false;
-    index->members.data[carrier] = NO_ENTRY;
+    const uint64_t key = csg_normal_key(&index->space, width, plane);
+    const uint32_t entry = find_normal(index, key, normal);
+    *member(index, width, carrier) = NO_ENTRY;
     if (entry == NO_ENTRY)
         return add_with_normal(index, key, normal, carrier);
-    index->members.data[carrier] = index->entries.data[entry].carrier;
+    *member(index, width, carrier) = index->entries.data[entry].carrier;
     index->entries.data[entry].carrier = carrier;
     return true;
 }
 
-static void remove_normal(struct csg_carrier_index *index, const struct csg_plane *plane,
+static bool add_normals(struct csg_carrier_index *index, const struct csg_plane *plane,
+                        int64_t normal, uint32_t carrier)
+{
+    csg_directions_add(&index->directions, plane->normal);
+    while (index->members.num < ((size_t)carrier + 1) * (size_t)index->space.num_widths)
+        if (!csg_array_push(&index->members, NO_ENTRY))
+            return false;
+    for (int i = 0; i < index->space.num_widths; i++)
+        if (!add_normal(index, i, plane, normal, carrier))
+            return false;
+    return true;
+}
+
+/* Whether the plane was among the members of an entry, and is no more. */
+static bool remove_member(struct csg_carrier_index *index, int width, uint32_t entry,
+                          uint32_t carrier)
+{
+    uint32_t *there = &index->entries.data[entry].carrier;
+    while (*there != carrier && *there != NO_ENTRY)
+        there = member(index, width, *there);
+    if (*there != carrier)
+        return false;
+    *there = *member(index, width, carrier);
+    return true;
+}
+
+static void remove_normal(struct csg_carrier_index *index, int width, const struct csg_plane *plane,
                           int64_t normal, uint32_t carrier)
 {
-    uint32_t *link = normal_link(index, csg_normal_key(&index->space, plane), normal);
-    if (*link == NO_ENTRY)
-        return;
-    uint32_t *member = &index->entries.data[*link].carrier;
-    while (*member != carrier && *member != NO_ENTRY)
-        member = &index->members.data[*member];
-    if (*member == carrier)
-        *member = index->members.data[carrier];
-    if (index->entries.data[*link].carrier == NO_ENTRY)
+    const uint64_t key = csg_normal_key(&index->space, width, plane);
+    uint32_t *link = &index->buckets.data[csg_index_bucket(index, key)];
+    while (*link != NO_ENTRY && !(is_same_entry(&index->entries.data[*link], key, normal) &&
+                                  remove_member(index, width, *link, carrier)))
+        link = &index->entries.data[*link].next;
+    if (*link != NO_ENTRY && index->entries.data[*link].carrier == NO_ENTRY)
         remove_entry(index, link);
 }
 
@@ -152,7 +183,7 @@ bool csg_index_add_plane(struct csg_carrier_index *index, const struct csg_plane
     const int64_t normal = csg_direction_number(plane->normal);
     return add_with_normal(index, csg_parallel_key(&index->space, plane, normal), normal,
                            carrier) &&
-           add_normal(index, plane, normal, carrier);
+           add_normals(index, plane, normal, carrier);
 }
 
 void csg_index_remove_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
@@ -160,7 +191,8 @@ void csg_index_remove_plane(struct csg_carrier_index *index, const struct csg_pl
 {
     const int64_t normal = csg_direction_number(plane->normal);
     remove_carrier(index, csg_parallel_key(&index->space, plane, normal), carrier);
-    remove_normal(index, plane, normal, carrier);
+    for (int i = 0; i < index->space.num_widths; i++)
+        remove_normal(index, i, plane, normal, carrier);
 }
 
 /* ---- quadrics ----------------------------------------------------------------------------- */

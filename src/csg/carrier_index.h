@@ -3,10 +3,10 @@
 #define CSG_CSG_CARRIER_INDEX_H
 
 /*
- * A hash over carriers: finds the few that a face could lie on. Planes are kept twice: by their
- * normal to the last bit and their offset, which parts the thousands of parallel faces of a model
- * finely, and by the place of both in coarse cells, which tells what normals there are that nearly
- * agree: there, those of one normal in one cell are one entry.
+ * A hash over carriers: finds the few that a face could lie on. Planes are kept by their normal to
+ * the last bit and their offset, which parts the thousands of parallel faces of a model finely, and
+ * by the place of both in coarse cells of each width, which tells what normals there are that
+ * nearly agree: there, those of one normal in one cell are one entry, or few.
  */
 
 #include "common/array.h"
@@ -29,7 +29,8 @@ struct csg_carrier_index {
     CSG_ARRAY(struct csg_index_entry) entries;
     uint32_t free_entry;              /* the first of those that were removed; UINT32_MAX: none */
     CSG_ARRAY(uint64_t) quadric_keys; /* by quadric */
-    CSG_ARRAY(uint32_t) members;      /* by plane: the next of its normal and coarse cell */
+    /* By plane and, within, by width: the next of its normal and coarse cell. */
+    CSG_ARRAY(uint32_t) members;
 };
 
 bool csg_index_start(struct csg_carrier_index *index, const struct csg_carrier_space *space);
@@ -44,6 +45,13 @@ bool csg_index_add_quadric(struct csg_carrier_index *index, const struct csg_qua
 void csg_index_remove_plane(struct csg_carrier_index *index, const struct csg_plane *plane,
                             uint32_t carrier);
 void csg_index_remove_quadric(struct csg_carrier_index *index, uint32_t carrier);
+
+/* A plane's place in members. */
+static inline size_t csg_index_member(const struct csg_carrier_index *index, int width,
+                                      uint32_t carrier)
+{
+    return carrier * (size_t)index->space.num_widths + (size_t)width;
+}
 
 static inline size_t csg_index_bucket(const struct csg_carrier_index *index, uint64_t key)
 {

@@ -16,26 +16,59 @@
 #define PARTS 64
 #define NEAR_PARTS 17
 
-enum { KEY_PARALLEL, KEY_NORMAL, KEY_QUADRIC };
+/* Those of quadrics are followed by those of their forms, those of normals by widths. */
+enum { KEY_PARALLEL, KEY_QUADRIC, KEY_NORMAL = 128 };
+
+/* Faces that turn by more than WIDEST_TURN, to the power of two, are of width 0; each further one
+ * is narrower by that many octaves. */
+enum { WIDEST_TURN = -7, WIDTH_OCTAVES = 3 };
 
 /* Quadrics are told apart by their distances from three points, in radii of the scene from its
  * center, that have no model's symmetry. */
 static const struct csg_vec3 probes[3] = {
     {0.3719, 0.2113, 0.5931}, {-0.5623, 0.4417, 0.1279}, {0.2371, -0.6127, -0.3343}};
 
-struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius,
-                                           const struct csg_carrier_reach *reach)
+int csg_carrier_width(const struct csg_carrier_spread *spread)
 {
-    const double direction = fmax(reach->turn, LEAST_TURN) / NEAR;
+    const double turn = fmin(fmax(spread->turn, LEAST_TURN), 1);
+    const int octaves = WIDEST_TURN - ilogb(turn);
+    const int width = octaves > 0 ? 1 + (octaves - 1) / WIDTH_OCTAVES : 0;
+    return width < CSG_MAX_WIDTHS ? width : CSG_MAX_WIDTHS - 1;
+}
+
+static struct csg_carrier_cells cells_of(const struct csg_carrier_spread *spread, double radius)
+{
+    const double direction = fmax(spread->turn, LEAST_TURN) / NEAR;
+    return (struct csg_carrier_cells){.spread = *spread,
+                                      .offset = fmax(8 * spread->slack, 2e-9 * radius),
+                                      .direction = fmin(direction, CSG_DIRECTION_CELL),
+                                      .near_direction =
+                                          direction > CSG_DIRECTION_CELL ? ALWAYS : NEAR};
+}
+
+struct csg_carrier_space csg_carrier_space(struct csg_vec3 center, double radius,
+                                           const struct csg_carrier_reach *reach,
+                                           const struct csg_carrier_spread spreads[CSG_MAX_WIDTHS])
+{
     struct csg_carrier_space space = {.center = center,
                                       .radius = radius,
                                       .cell = fmax(8 * reach->slack, 2e-9 * radius),
-                                      .fine = fmax(4 * reach->tolerance, 1e-12 * radius),
-                                      .direction = fmin(direction, CSG_DIRECTION_CELL)};
-    space.near_direction = direction > CSG_DIRECTION_CELL ? ALWAYS : NEAR;
+                                      .fine = fmax(4 * reach->tolerance, 1e-12 * radius)};
+    for (int i = 0; i < CSG_MAX_WIDTHS; i++)
+        if (spreads[i].turn > 0)
+            space.widths[space.num_widths++] = cells_of(&spreads[i], radius);
     for (int i = 0; i < 3; i++)
         space.probes[i] = csg_add(center, csg_scale(radius, probes[i]));
     return space;
+}
+
+int csg_carrier_narrowest(const struct csg_carrier_space *space,
+                          const struct csg_carrier_spread *spread)
+{
+    int width = space->num_widths - 1;
+    while (width > 0 && !csg_carrier_has_spread(&space->widths[width], spread))
+        width--;
+    return width;
 }
 
 /* ---- coordinates, in cells ---------------------------------------------------------------- */
@@ -53,11 +86,11 @@ static double parallel_coordinate(const struct csg_carrier_space *space,
 }
 
 /* A plane and its reverse get the same ones. */
-static void plane_coordinates(const struct csg_carrier_space *space, const struct csg_plane *plane,
-                              double coordinates[3])
+static void plane_coordinates(const struct csg_carrier_space *space, int width,
+                              const struct csg_plane *plane, double coordinates[3])
 {
-    csg_direction_coordinates(plane->normal, space->direction, coordinates);
-    coordinates[2] = fabs(offset_of(space, plane)) / space->cell;
+    csg_direction_coordinates(plane->normal, space->widths[width].direction, coordinates);
+    coordinates[2] = fabs(offset_of(space, plane)) / space->widths[width].offset;
 }
 
 /* A third of the norm of f's second derivatives, squared: what it is of a sphere. */
@@ -160,20 +193,22 @@ int csg_parallel_keys(const struct csg_carrier_space *space, const struct csg_pl
     return 2;
 }
 
-uint64_t csg_normal_key(const struct csg_carrier_space *space, const struct csg_plane *plane)
+uint64_t csg_normal_key(const struct csg_carrier_space *space, int width,
+                        const struct csg_plane *plane)
 {
     double coordinates[3];
-    plane_coordinates(space, plane, coordinates);
-    return key_of(KEY_NORMAL, coordinates);
+    plane_coordinates(space, width, plane, coordinates);
+    return key_of(KEY_NORMAL + (uint64_t)width, coordinates);
 }
 
-int csg_normal_keys(const struct csg_carrier_space *space, const struct csg_plane *plane,
+int csg_normal_keys(const struct csg_carrier_space *space, int width, const struct csg_plane *plane,
                     uint64_t keys[8])
 {
-    const double near[3] = {space->near_direction, space->near_direction, NEAR};
+    const double near_direction = space->widths[width].near_direction;
+    const double near[3] = {near_direction, near_direction, NEAR};
     double coordinates[3];
-    plane_coordinates(space, plane, coordinates);
-    return keys_around(KEY_NORMAL, coordinates, near, keys);
+    plane_coordinates(space, width, plane, coordinates);
+    return keys_around(KEY_NORMAL + (uint64_t)width, coordinates, near, keys);
 }
 
 /* Only quadrics of equal normal forms, up to their sign, can be the same surface. */

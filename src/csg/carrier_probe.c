@@ -19,13 +19,13 @@ void csg_index_probe_parallel(const struct csg_carrier_index *index, const struc
     probe->num_keys = csg_parallel_keys(&index->space, plane, probe->keys);
 }
 
-void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
-                             struct csg_index_probe *probe)
+void csg_index_probe_normals(const struct csg_carrier_index *index, int width,
+                             const struct csg_plane *plane, struct csg_index_probe *probe)
 {
     rewind_probe(probe);
     probe->without = csg_direction_number(plane->normal);
     probe->num_keys = csg_directions_nearly_agree(&index->directions, plane->normal)
-                          ? csg_normal_keys(&index->space, plane, probe->keys)
+                          ? csg_normal_keys(&index->space, width, plane, probe->keys)
                           : 0;
 }
 
@@ -61,7 +61,7 @@ uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_
     }
 }
 
-uint32_t csg_index_next_member(const struct csg_carrier_index *index, uint32_t carrier)
+uint32_t csg_index_next_member(const struct csg_carrier_index *index, int width, uint32_t carrier)
 {
-    return index->members.data[carrier];
+    return index->members.data[csg_index_member(index, width, carrier)];
 }

@@ -17,17 +17,18 @@ struct csg_index_probe {
 /* Planes with that normal or its reverse, to the last bit, and nearly that offset. */
 void csg_index_probe_parallel(const struct csg_carrier_index *index, const struct csg_plane *plane,
                               struct csg_index_probe *probe);
-/* One plane at least of each other normal that a coincident plane could have. */
-void csg_index_probe_normals(const struct csg_carrier_index *index, const struct csg_plane *plane,
-                             struct csg_index_probe *probe);
+/* One plane at least of each other normal that a plane could have that is in one cell of that width
+ * with it, or in cells that are near. */
+void csg_index_probe_normals(const struct csg_carrier_index *index, int width,
+                             const struct csg_plane *plane, struct csg_index_probe *probe);
 void csg_index_probe_quadric(const struct csg_carrier_index *index,
                              const struct csg_quadric *quadric, struct csg_index_probe *probe);
 
 /* The next candidate, UINT32_MAX when there are no more. May repeat one. */
 uint32_t csg_index_next(const struct csg_carrier_index *index, struct csg_index_probe *probe);
 
-/* The next plane with the normal of one that csg_index_probe_normals found, in its cell;
- * UINT32_MAX: no more. */
-uint32_t csg_index_next_member(const struct csg_carrier_index *index, uint32_t carrier);
+/* The next plane with the normal of one that csg_index_probe_normals found, in its cell of that
+ * width; UINT32_MAX: no more. */
+uint32_t csg_index_next_member(const struct csg_carrier_index *index, int width, uint32_t carrier);
 
 #endif

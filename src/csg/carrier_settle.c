@@ -23,6 +23,21 @@ static bool affect_later(struct csg_carrier_change *change, enum csg_face_kind k
            csg_carrier_affect(change, kind, carrier);
 }
 
+/* In the cells of one width. */
+static bool affect_turned_planes(struct csg_carrier_change *change, int width,
+                                 const struct csg_rank *rank)
+{
+    const struct csg_carrier_index *index = &change->builder->index;
+    struct csg_index_probe probe;
+    csg_index_probe_normals(index, width, csg_plane_of(change, rank), &probe);
+    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
+        for (; i != CSG_NO_CARRIER; i = csg_index_next_member(index, width, i))
+            if (!affect_later(change, CSG_PLANE, i, rank))
+                return false;
+    return true;
+}
+
+/* Which width a face looks for the plane in is known to the face only. */
 static bool affect_near_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
 {
     const struct csg_carrier_index *index = &change->builder->index;
@@ -31,11 +46,9 @@ static bool affect_near_plane(struct csg_carrier_change *change, const struct cs
     for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
         if (!affect_later(change, CSG_PLANE, i, rank))
             return false;
-    csg_index_probe_normals(index, csg_plane_of(change, rank), &probe);
-    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
-        for (; i != CSG_NO_CARRIER; i = csg_index_next_member(index, i))
-            if (!affect_later(change, CSG_PLANE, i, rank))
-                return false;
+    for (int i = 0; i < index->space.num_widths; i++)
+        if (!affect_turned_planes(change, i, rank))
+            return false;
     return true;
 }
 

@@ -2,31 +2,17 @@
 
 /* Where a scene's faces are looked up, and how far those that coincide may differ there. */
 
-#include <float.h>
 #include <stdlib.h>
 
 #include "common/parallel.h"
 #include "csg/carrier_builder.h"
 #include "csg/object.h"
 
-/* Faces whose tolerance is a larger share of their radius than this, which are specks, and those of
- * surfaces: continued to the far end of the scene they stray by this many times their tolerance at
- * most before the index may miss what they coincide with. */
+/* Faces whose tolerance is a larger share of their radius than this are specks: continued to the
+ * far end of the scene they stray by this many times their tolerance at most before the index may
+ * miss what they coincide with. */
 #define MAX_SHARE (1.0 / 128)
 #define MAX_LEVER 16.0
-
-/* The finite part of the scene: where the faces are hashed. */
-static struct csg_box finite_box(const struct csg_carrier_builder *builder)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    struct csg_box box = csg_box_empty;
-    for (size_t i = 0; i < scene->num_leaves; i++) {
-        const struct csg_box leaf = csg_leaf_box(&scene->leaves[i]);
-        if (builder->wanted[i] && csg_box_is_finite(&leaf))
-            box = csg_box_union(&box, &leaf);
-    }
-    return box;
-}
 
 /* How far a face that coincides with one of the leaf's may be from it, over the leaf. */
 static double double_tolerance(const struct csg_leaf_extent *extent)
@@ -49,58 +35,138 @@ static bool is_sphere(const struct csg_shape *shape)
            csg_quadric_ball(&shape->quadric, &center, &radius);
 }
 
-/* The same at the scene's far end. */
+/* What happens on a leaf is so many times as large at the scene's far end. */
+static double lever_of(const struct csg_carrier_builder *builder,
+                       const struct csg_leaf_extent *extent)
+{
+    const double lever = builder->radius / extent->radius;
+    return is_speck(extent) ? fmin(lever, MAX_LEVER) : lever;
+}
+
+/* How far a quadric that coincides with the leaf's may be from it there; 0: it has none. */
 static double slack_of(const struct csg_carrier_builder *builder, uint32_t leaf,
                        const struct csg_leaf_extent *extent)
 {
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
-    const double lever = shape->surface     ? MAX_LEVER
-                         : is_sphere(shape) ? 1
-                                            : builder->radius / extent->radius;
-    return double_tolerance(extent) * (1 + (is_speck(extent) ? fmin(lever, MAX_LEVER) : lever));
+    const double lever = is_sphere(shape) ? 1 : lever_of(builder, extent);
+    return shape->has_quadric ? double_tolerance(extent) * (1 + lever) : 0;
 }
 
-/* By how much a face that has that rounding and coincides with one of the leaf's may be turned.
- * Faces of a surface are as small as may be. */
-static double turn_of(const struct csg_carrier_builder *builder, uint32_t leaf,
-                      const struct csg_leaf_extent *extent, double rounding)
+struct csg_carrier_spread csg_carrier_spread_of(const struct csg_carrier_builder *builder,
+                                                const struct csg_leaf_extent *extent,
+                                                double other_rounding)
 {
-    return builder->scene->leaves[leaf].shape.surface
-               ? INFINITY
-               : fmax(csg_carrier_tolerance(extent, rounding) / extent->radius,
-                      CSG_COINCIDENT_RELATIVE);
+    const double tolerance = csg_carrier_tolerance(extent, other_rounding);
+    return (struct csg_carrier_spread){
+        .slack = tolerance * (1 + lever_of(builder, extent)),
+        .turn = fmax(tolerance / extent->radius, CSG_COINCIDENT_RELATIVE)};
 }
+
+/* ---- the scene's box and rounding --------------------------------------------------------- */
 
 /* Leaves that one core looks at, at a time. */
 enum { CHUNK = 4096 };
 
-/* The most of some leaves: how far two matching faces can differ, one of them exact where it is by
- * how much they are turned; their rounding; and 1 / radius. */
+/* Of some leaves: the finite ones' box, and the largest rounding. */
+struct outline {
+    struct csg_box box;
+    double rounding;
+};
+
+/* The most of some leaves. */
 struct extremes {
     struct csg_carrier_reach reach;
-    double rounding, smallness;
+    struct csg_carrier_spread
+        spreads[CSG_MAX_WIDTHS]; /* by width; turn is 0 where there are none */
 };
 
 struct survey {
     const struct csg_carrier_builder *builder;
-    struct extremes *extremes; /* by chunk */
+    struct outline *outlines;  /* by chunk */
+    struct extremes *extremes; /* likewise */
 };
+
+static void outline_chunk(void *user, size_t chunk)
+{
+    const struct survey *survey = user;
+    const struct csgcast_scene *scene = survey->builder->scene;
+    struct outline outline = {csg_box_empty, 0};
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++) {
+        if (!survey->builder->wanted[i])
+            continue;
+        const struct csg_box box = csg_leaf_box(&scene->leaves[i]);
+        if (csg_box_is_finite(&box))
+            outline.box = csg_box_union(&outline.box, &box);
+        outline.rounding = fmax(outline.rounding, scene->leaves[i].shape.rounding);
+    }
+    survey->outlines[chunk] = outline;
+}
+
+static struct outline find_outline(const struct survey *survey, size_t num_chunks)
+{
+    struct outline all = {csg_box_empty, 0};
+    csg_parallel(survey->builder->scene->num_threads, num_chunks, outline_chunk, (void *)survey);
+    for (size_t i = 0; i < num_chunks; i++) {
+        all.box = csg_box_union(&all.box, &survey->outlines[i].box);
+        all.rounding = fmax(all.rounding, survey->outlines[i].rounding);
+    }
+    return all;
+}
+
+/* ---- how far faces may differ ------------------------------------------------------------- */
+
+static void merge_spread(struct csg_carrier_spread *to, const struct csg_carrier_spread *from)
+{
+    to->slack = fmax(to->slack, from->slack);
+    to->turn = fmax(to->turn, from->turn);
+}
+
+static void note_spread(struct extremes *most, const struct csg_carrier_builder *builder,
+                        const struct csg_leaf_extent *extent)
+{
+    const struct csg_carrier_spread spread =
+        csg_carrier_spread_of(builder, extent, builder->most_rounding);
+    merge_spread(&most->spreads[csg_carrier_width(&spread)], &spread);
+}
+
+/* The faces of a surface, each as large as itself, or less. */
+static void note_surface(struct extremes *most, const struct csg_carrier_builder *builder,
+                         const struct csg_shape *shape)
+{
+    const struct csg_surface *surface = shape->surface;
+    struct csg_map inverse = csg_map_identity;
+    csg_map_invert(&shape->frame, &inverse);
+    const double stretch = csg_map_stretch(&inverse);
+    for (size_t i = 0; i < surface->planes.num; i++) {
+        const struct csg_surface_extent extent = {
+            csg_map_point(&shape->frame, surface->extents[i].center),
+            surface->extents[i].radius / stretch};
+        const struct csg_leaf_extent face = csg_carrier_face_extent(&extent, shape->rounding);
+        note_spread(most, builder, &face);
+    }
+}
+
+static void note_leaf(struct extremes *most, const struct csg_carrier_builder *builder,
+                      uint32_t leaf)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
+    most->reach.slack = fmax(most->reach.slack, slack_of(builder, leaf, &extent));
+    most->reach.tolerance = fmax(most->reach.tolerance, double_tolerance(&extent));
+    if (shape->surface)
+        note_surface(most, builder, shape);
+    else if (shape->num_planes > 0)
+        note_spread(most, builder, &extent);
+}
 
 static void survey_chunk(void *user, size_t chunk)
 {
     const struct survey *survey = user;
     const struct csg_carrier_builder *builder = survey->builder;
-    struct extremes most = {{0}, 0, 0};
-    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < builder->scene->num_leaves; i++) {
-        if (!builder->wanted[i])
-            continue;
-        const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, (uint32_t)i);
-        most.reach.slack = fmax(most.reach.slack, slack_of(builder, (uint32_t)i, &extent));
-        most.reach.tolerance = fmax(most.reach.tolerance, double_tolerance(&extent));
-        most.reach.turn = fmax(most.reach.turn, turn_of(builder, (uint32_t)i, &extent, 0));
-        most.rounding = fmax(most.rounding, extent.rounding);
-        most.smallness = fmax(most.smallness, fmin(1 / extent.radius, DBL_MAX));
-    }
+    struct extremes most = {0};
+    for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < builder->scene->num_leaves; i++)
+        if (builder->wanted[i])
+            note_leaf(&most, builder, (uint32_t)i);
     survey->extremes[chunk] = most;
 }
 
@@ -108,43 +174,56 @@ static void merge(struct extremes *to, const struct extremes *from)
 {
     to->reach.slack = fmax(to->reach.slack, from->reach.slack);
     to->reach.tolerance = fmax(to->reach.tolerance, from->reach.tolerance);
-    to->reach.turn = fmax(to->reach.turn, from->reach.turn);
-    to->rounding = fmax(to->rounding, from->rounding);
-    to->smallness = fmax(to->smallness, from->smallness);
+    for (int i = 0; i < CSG_MAX_WIDTHS; i++)
+        merge_spread(&to->spreads[i], &from->spreads[i]);
 }
 
-static bool find_extremes(struct csg_carrier_builder *builder, double room)
+static struct extremes find_extremes(const struct survey *survey, size_t num_chunks, double room)
 {
-    const size_t num = (builder->scene->num_leaves + CHUNK - 1) / CHUNK;
-    struct survey survey = {builder, malloc((num + 1) * sizeof *survey.extremes)};
-    struct extremes most = {{0}, 0, 0};
-    if (!survey.extremes)
-        return false;
-    csg_parallel(builder->scene->num_threads, num, survey_chunk, &survey);
-    for (size_t i = 0; i < num; i++)
-        merge(&most, &survey.extremes[i]);
-    free(survey.extremes);
-    builder->largest_rounding = most.rounding;
-    builder->most_rounding = room * most.rounding;
-    builder->reach.slack = room * most.reach.slack;
-    builder->reach.tolerance = room * most.reach.tolerance;
-    builder->reach.turn = room * (most.reach.turn + builder->most_rounding * most.smallness);
-    return true;
+    struct extremes most = {0};
+    csg_parallel(survey->builder->scene->num_threads, num_chunks, survey_chunk, (void *)survey);
+    for (size_t i = 0; i < num_chunks; i++)
+        merge(&most, &survey->extremes[i]);
+    most.reach.slack *= room;
+    most.reach.tolerance *= room;
+    for (int i = 0; i < CSG_MAX_WIDTHS; i++) {
+        most.spreads[i].slack *= room;
+        most.spreads[i].turn *= room;
+    }
+    return most;
+}
+
+/* ---- the index ---------------------------------------------------------------------------- */
+
+static bool start_index(struct csg_carrier_builder *builder, const struct survey *survey,
+                        size_t num_chunks)
+{
+    const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
+    const struct outline outline = find_outline(survey, num_chunks);
+    const struct csg_box *box = &outline.box;
+    const bool empty = csg_box_is_empty(box);
+    const struct csg_vec3 center =
+        empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box->lo, box->hi));
+    builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box->hi, box->lo));
+    builder->largest_rounding = outline.rounding;
+    builder->most_rounding = room * outline.rounding;
+
+    const struct extremes most = find_extremes(survey, num_chunks, room);
+    const struct csg_carrier_space space =
+        csg_carrier_space(center, builder->radius, &most.reach, most.spreads);
+    builder->reach = most.reach;
+    return csg_index_start(&builder->index, &space);
 }
 
 bool csg_carrier_start_index(struct csg_carrier_builder *builder)
 {
-    const struct csg_box box = finite_box(builder);
-    const bool empty = csg_box_is_empty(&box);
-    const struct csg_vec3 center =
-        empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box.lo, box.hi));
-    const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
-    builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    if (!find_extremes(builder, room))
-        return false;
-    const struct csg_carrier_space space =
-        csg_carrier_space(center, builder->radius, &builder->reach);
-    return csg_index_start(&builder->index, &space);
+    const size_t num_chunks = (builder->scene->num_leaves + CHUNK - 1) / CHUNK;
+    const struct survey survey = {builder, malloc((num_chunks + 1) * sizeof *survey.outlines),
+                                  malloc((num_chunks + 1) * sizeof *survey.extremes)};
+    const bool ok = survey.outlines && survey.extremes && start_index(builder, &survey, num_chunks);
+    free(survey.outlines);
+    free(survey.extremes);
+    return ok;
 }
 
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf)
@@ -154,13 +233,25 @@ bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t 
     return csg_box_is_finite(&own->box) && !own->shape.surface && !is_speck(&extent);
 }
 
+/* Whether planes that coincide with faces of that extent are found in some width. */
+static bool has_width(const struct csg_carrier_builder *builder,
+                      const struct csg_leaf_extent *extent)
+{
+    const struct csg_carrier_space *space = &builder->index.space;
+    const struct csg_carrier_spread spread =
+        csg_carrier_spread_of(builder, extent, builder->most_rounding);
+    return space->num_widths > 0 &&
+           csg_carrier_has_spread(&space->widths[csg_carrier_narrowest(space, &spread)], &spread);
+}
+
 bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf)
 {
     const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
     const double away = csg_length(csg_sub(extent.center, builder->index.space.center));
+    const struct csg_shape *leaf_shape = &builder->scene->leaves[leaf].shape;
     return csg_carrier_can_follow(builder, leaf) && away + extent.radius <= builder->radius &&
            extent.rounding <= builder->most_rounding &&
-           turn_of(builder, leaf, &extent, builder->most_rounding) <= builder->reach.turn &&
+           (leaf_shape->num_planes == 0 || has_width(builder, &extent)) &&
            slack_of(builder, leaf, &extent) <= builder->reach.slack &&
            double_tolerance(&extent) <= builder->reach.tolerance;
 }

@@ -123,7 +123,7 @@ struct batch {
     struct {
         uint8_t *alone; /* gets whether it is; NULL: its keys are entered */
         int num;
-        uint64_t keys[8];
+        uint64_t keys[8 * CSG_MAX_WIDTHS];
     } faces[BATCH];
 };
 
@@ -153,15 +153,21 @@ static void add_face(struct batch *batch, int num, uint8_t *alone)
 }
 
 /* A plane is looked for under other normals where these nearly agree: so are then those that it may
- * coincide with. */
-static int plane_keys(const struct search *search, const struct csg_plane *plane, uint64_t keys[8])
+ * coincide with. In which width depends on the other face, too; what is alone in one is alone in
+ * narrower ones. */
+static int plane_keys(const struct search *search, const struct csg_plane *plane,
+                      uint64_t keys[8 * CSG_MAX_WIDTHS])
 {
     const struct csg_carrier_space *space = &search->builder->index.space;
+    int num = 0;
     if (search->is_dense)
         return 0;
-    return csg_directions_are_shared(search->directions, plane->normal)
-               ? csg_normal_keys(space, plane, keys)
-               : csg_parallel_keys(space, plane, keys);
+    if (!csg_directions_are_shared(search->directions, plane->normal))
+        return csg_parallel_keys(space, plane, keys);
+    for (int i = 0; i < space->num_widths; i++)
+        if (i == 0 || !csg_carrier_has_spread(&space->widths[i - 1], &space->widths[i].spread))
+            num += csg_normal_keys(space, i, plane, &keys[num]);
+    return num;
 }
 
 /* Enters a leaf's keys, or with judged asks whether its faces are alone. */
