@@ -15,6 +15,7 @@ csgcast_strict(csgcast_report)
 file(GLOB tool_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.c)
 add_executable(csgcast-tool ${tool_sources} ${PROJECT_SOURCE_DIR}/src/common/file.c
     ${PROJECT_SOURCE_DIR}/src/common/folder.c
+    ${PROJECT_SOURCE_DIR}/src/common/heap.c
     ${PROJECT_SOURCE_DIR}/src/common/join.c
     ${PROJECT_SOURCE_DIR}/src/common/process.c)
 target_include_directories(csgcast-tool PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)

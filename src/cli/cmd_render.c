@@ -9,6 +9,8 @@
 #include "output.h"
 #include "stats.h"
 
+#include "common/heap.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -270,6 +272,7 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
 
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
+    csg_heap_begin();
     return csg_cli_with_output(options, "png", run_to);
 }
 
