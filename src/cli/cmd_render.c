@@ -163,19 +163,6 @@ static enum csg_cli_exit render_scene(const struct drawing *drawing, const char 
     return result;
 }
 
-/* A .csg has no variables; whoever sets some expects another picture. */
-static void warn_defines(const struct csg_cli_options *options)
-{
-    const struct csgcast_scene_params *params = &options->scene;
-    if (options->quiet || has_extension(options->input, ".scad"))
-        return;
-    for (size_t i = 0; i < params->num_defines; i++) {
-        if (params->defines[i][0] != '$')
-            csg_cli_warning("-D %s has no effect: %s is not a .scad file", params->defines[i],
-                            options->input);
-    }
-}
-
 /* ---- animations ----------------------------------------------------------------------------- */
 
 /* "dir/a.png" gives "dir/a00007.png", as openscad --animate names it; NULL: out of memory. */
@@ -240,12 +227,23 @@ static bool can_animate(const struct csg_cli_options *options, const char *outpu
 
 /* ---- the command ---------------------------------------------------------------------------- */
 
+/* A picture of the background alone may be what a misspelt file or a wrong -D gives. */
+static void warn_empty(const struct csg_cli_options *options, const struct csgcast_scene *scene)
+{
+    struct csgcast_scene_info info;
+    csgcast_scene_get_info(scene, &info);
+    if (info.num_leaves == 0 && !options->quiet)
+        csg_cli_warning("%s: nothing to draw", options->input);
+}
+
 static enum csg_cli_exit render_still(const struct csg_cli_options *options, const char *output,
                                       struct csgcast_renderer *renderer)
 {
     struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
     const struct drawing drawing = {options, scene, renderer};
     const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
+    if (scene)
+        warn_empty(options, scene);
     if (result == CSG_EXIT_OK && options->renderer.backend != CSGCAST_BACKEND_REFERENCE)
         csg_ending_now((int)result);
     csgcast_scene_destroy(scene);
@@ -256,7 +254,6 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
 {
     if (options->num_animated > 0 && !can_animate(options, output))
         return CSG_EXIT_USAGE;
-    warn_defines(options);
     if (!is_png(output, options->write.format)) /* libpng is there */
         csgcast_image_preload();
     struct csgcast_renderer_params params = options->renderer;

@@ -7,6 +7,7 @@
 #include "ending.h"
 #include "messages.h"
 #include "options.h"
+#include "scene_options.h"
 #include "values.h"
 
 #include <stdio.h>
@@ -136,6 +137,8 @@ static enum csg_cli_exit run_command(const struct csg_cli_command *command, int 
     if (csg_options_parse(&options, command, num, argv)) {
         if (options.help)
             print_command_help(command);
+        else
+            csg_warn_unheeded(&options);
         result = options.help ? finish_output() : command->run(&options);
     }
     csg_options_finish(&options);

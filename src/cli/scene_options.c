@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene_options.h"
 
+#include "messages.h"
 #include "values.h"
 
 #include <string.h>
+#include <strings.h>
 
 #define MAX_FRAMES 100000 /* of an animation, csgcast_animation_load's limit */
 
@@ -110,4 +112,41 @@ const char *csg_set_clear(struct csg_cli_options *options, const char *value)
     (void)value;
     options->clear = true;
     return NULL;
+}
+
+static bool is_scad(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && !strcasecmp(dot, ".scad");
+}
+
+/* A .csg has no variables; whoever sets some expects another picture. */
+static void warn_variables(const struct csg_cli_options *options)
+{
+    const struct csgcast_scene_params *scene = &options->scene;
+    for (size_t i = 0; i < scene->num_defines; i++) {
+        if (scene->defines[i][0] != '$')
+            csg_cli_warning("-D %s has no effect: %s is not a .scad file", scene->defines[i],
+                            options->input);
+    }
+    if (scene->parameter_file)
+        csg_cli_warning("-p %s has no effect: %s is not a .scad file", scene->parameter_file,
+                        options->input);
+}
+
+void csg_warn_unheeded(const struct csg_cli_options *options)
+{
+    const struct csgcast_scene_params *scene = &options->scene;
+    bool has_scad = false;
+    for (size_t i = 0; i < options->num_inputs; i++)
+        has_scad |= is_scad(options->inputs[i]);
+    if (options->quiet || options->num_inputs == 0)
+        return;
+    if (!has_scad)
+        warn_variables(options);
+    if (scene->parameter_set && !scene->parameter_file)
+        csg_cli_warning("-P %s has no effect: -p names the file that has the set",
+                        scene->parameter_set);
+    if (scene->parameter_file && !scene->parameter_set)
+        csg_cli_warning("-p %s has no effect: -P names which set of it", scene->parameter_file);
 }

@@ -21,4 +21,8 @@ const char *csg_set_no_cache(struct csg_cli_options *options, const char *value)
 const char *csg_set_cache_size(struct csg_cli_options *options, const char *value);
 const char *csg_set_clear(struct csg_cli_options *options, const char *value);
 
+/* Says which of the given options change nothing: those for .scad files where there is none, and
+ * half a pair of -p and -P. */
+void csg_warn_unheeded(const struct csg_cli_options *options);
+
 #endif

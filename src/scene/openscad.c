@@ -59,16 +59,16 @@ static bool make_absolute(struct run *run)
     return run->input || csg_log_memory(run->log);
 }
 
-/* openscad's own words for a file that is not there are less clear. */
-static bool check_readable(const struct run *run)
+/* openscad's own words for a file that is not there are less clear, and without the customizer's
+ * parameters it goes on. */
+static bool check_readable(const struct run *run, const char *path)
 {
     struct stat info;
-    int error = stat(run->input, &info) != 0 || access(run->input, R_OK) != 0 ? errno : 0;
+    int error = stat(path, &info) != 0 || access(path, R_OK) != 0 ? errno : 0;
     if (!error && S_ISDIR(info.st_mode))
         error = EISDIR;
     if (error)
-        csg_log_error(run->log, CSGCAST_MESSAGE_FILE, "cannot read %s: %s", run->path,
-                      strerror(error));
+        csg_log_error(run->log, CSGCAST_MESSAGE_FILE, "cannot read %s: %s", path, strerror(error));
     return !error;
 }
 
@@ -86,9 +86,11 @@ static bool check_text(const struct run *run)
     return ok;
 }
 
-static bool prepare(struct run *run)
+static bool prepare(struct run *run, const struct csgcast_scene_params *params)
 {
-    return make_absolute(run) && check_readable(run) && check_text(run) && make_folder(run);
+    return make_absolute(run) && check_readable(run, run->path) && check_text(run) &&
+           (!params->parameter_file || check_readable(run, params->parameter_file)) &&
+           make_folder(run);
 }
 
 static void finish(struct run *run)
@@ -227,8 +229,8 @@ bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *p
     struct run run = {.path = path, .program = csg_openscad_program(params), .log = log};
     run.flattened = flattened;
     flattened->num_frames = num_frames;
-    const bool done = prepare(&run) && execute(&run, params) && take_cameras(&run) && check(&run) &&
-                      csg_flattened_find_fonts(flattened, params, log);
+    const bool done = prepare(&run, params) && execute(&run, params) && take_cameras(&run) &&
+                      check(&run) && csg_flattened_find_fonts(flattened, params, log);
     finish(&run);
     return done;
 }

@@ -135,6 +135,7 @@ fi
 
 # An empty scene is a picture of the background.
 expect 0 "empty scene" render - -o empty.png "${small[@]}" </dev/null
+says "nothing to draw"
 check "empty.png is a PNG" is_png empty.png
 
 # A large object is tiled by all cores: the same picture by one.

@@ -103,5 +103,13 @@ says "writes images"
 
 expect 0 "-D on a .csg" render cube.csg --imgsize=16,16 -o a.png -D width=3
 says "-D width=3 has no effect"
+expect 0 "-D on a .csg, info" info cube.csg --no-gl -D width=3
+says "-D width=3 has no effect"
+expect 0 "-p on a .csg" render cube.csg --imgsize=16,16 -o a.png -p sets.json -P large
+says "-p sets.json has no effect"
+expect 0 "-P without -p" render cube.csg --imgsize=16,16 -o a.png -P large
+says "-P large has no effect"
+expect 0 "-p without -P, quiet" render cube.csg "${small[@]}" -o a.png -p sets.json -q
+is_silent
 
 finish

@@ -69,6 +69,12 @@ picture defined box.scad -D size=3 -D height=2 "${camera[@]}"
 same set defined
 picture unset box.scad "${camera[@]}"
 different unset set
+expect 1 "no file of parameters" render box.scad -p none.json -P large -o a.png
+says "cannot read none.json: No such file or directory"
+expect 1 "a folder of parameters" render box.scad -p . -P large -o a.png
+says "cannot read .: Is a directory"
+expect 0 "half a pair" render box.scad -p box.json "${small[@]}" -o a.png
+says "-p box.json has no effect"
 
 # ---- fonts that come with the file, on a machine that has Liberation Sans only ----
 mkdir machine fonts
