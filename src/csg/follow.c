@@ -39,6 +39,14 @@ static bool add_object(struct follow *follow, uint32_t object)
     return csg_array_push(&follow->objects, object);
 }
 
+/* The leaf may have to be found in other objects, too. */
+static bool add_object_of(struct follow *follow, size_t leaf)
+{
+    const struct csg_follower *follower = follow->follower;
+    return (follower->objects[leaf] == CSG_NOWHERE || follower->operands[leaf] != CSG_NOWHERE) &&
+           add_object(follow, follower->objects[leaf]);
+}
+
 /* ---- what has the structure that it had ---------------------------------------------------- */
 
 /* Programs and counts do not tell them apart. */
@@ -188,7 +196,7 @@ static bool add_sharers(struct follow *follow, const struct csg_carriers *old)
     for (size_t i = 0; i < follow->scene->num_leaves && ok; i++) {
         const uint32_t carrier = carriers->quadric_faces[i].carrier;
         if (carrier != CSG_NO_CARRIER && marks[carrier])
-            ok = add_object(follow, follow->follower->objects[i]);
+            ok = add_object_of(follow, i);
     }
     free(marks);
     return ok;
@@ -204,7 +212,7 @@ static bool add_renewed(struct follow *follow)
             return true;
         i = (size_t)(next - renewed);
         follow->joins |= !follow->before->changed[i];
-        if (!add_object(follow, follow->follower->objects[i]))
+        if (!add_object_of(follow, i))
             return false;
     }
     return true;
@@ -215,7 +223,7 @@ static struct csg_box renew_totals(struct follow *follow)
 {
     for (size_t i = 0; i < follow->boxes.num; i++)
         csg_totals_renew(&follow->follower->totals, follow->scene, follow->objects.data[i]);
-    return csg_totals_box(&follow->follower->totals);
+    return csg_totals_sum(&follow->follower->totals).drawn;
 }
 
 /* The scene gets its new carriers, and old what it had. */
@@ -343,7 +351,9 @@ void csg_follow_colors(struct csgcast_scene *scene, const uint32_t *leaves, size
     }
     for (size_t i = 0; i < num; i++) {
         const uint32_t object = follower->objects[leaves[i]];
-        if (object != CSG_NOWHERE)
+        if (object != CSG_NOWHERE && follower->operands[leaves[i]] == CSG_NOWHERE)
+            csg_crowd_recolor(scene->crowd, scene); /* it may be in other objects, too */
+        else if (object != CSG_NOWHERE)
             csg_crowd_recolor_object(scene->crowd, scene, object, follower->members[object]);
     }
 }

@@ -19,12 +19,11 @@ void csg_follower_destroy(struct csg_follower *follower)
     free(follower);
 }
 
-/* What % and # draw is in two layers, render() nodes are framed by what is left of them, parts of
- * distributed objects depend on all of the object, and carriers of surfaces are found anew. */
+/* Parts of distributed objects depend on all of the object, render() nodes are framed by what is
+ * left of them, and carriers of surfaces are found anew. */
 static bool can_follow(const struct csgcast_scene *scene)
 {
-    if (scene->is_distributed || scene->wholes.num > 0 ||
-        scene->trees[CSG_LAYER_BACKGROUND].num > 0 || scene->trees[CSG_LAYER_HIGHLIGHT].num > 0)
+    if (scene->is_distributed || scene->wholes.num > 0)
         return false;
     for (size_t i = 0; i < scene->num_leaves; i++)
         if (scene->leaves[i].shape.surface)
@@ -54,6 +53,15 @@ static void find_operands(struct csg_follower *follower, const struct csg_tree *
             }
 }
 
+/* What % and # draw is in two layers. */
+static void leave_out(struct csg_follower *follower, const struct csg_tree *trees)
+{
+    for (int layer = CSG_LAYER_MODEL + 1; layer < CSG_NUM_LAYERS; layer++)
+        for (size_t i = 0; i < trees[layer].num; i++)
+            if (trees[layer].data[i].op == CSG_LEAF)
+                follower->operands[trees[layer].data[i].leaf] = CSG_NOWHERE;
+}
+
 static bool fill(struct csg_follower *follower, const struct csgcast_scene *scene,
                  const struct csg_before *before)
 {
@@ -71,6 +79,7 @@ static bool fill(struct csg_follower *follower, const struct csgcast_scene *scen
     memset(follower->operands, 0xff, num * sizeof *follower->operands);
     find_objects(follower, scene);
     find_operands(follower, &before->trees[CSG_LAYER_MODEL]);
+    leave_out(follower, before->trees);
     csg_crowd_list_members(scene->crowd, follower->members);
     return csg_totals_init(&follower->totals, scene);
 }

@@ -10,11 +10,13 @@
 #define CSG_NOWHERE UINT32_MAX
 
 struct csg_follower {
-    bool can;           /* else each edit makes everything anew */
-    uint32_t *objects;  /* by leaf: the one that it is in */
-    uint32_t *operands; /* by leaf: the node of before->trees where its operand begins */
-    uint32_t *members;  /* by object, of the crowd */
-    uint8_t *marks;     /* by object, 0 between edits */
+    bool can;          /* else each edit makes everything anew */
+    uint32_t *objects; /* by leaf: the one that it is in */
+    /* By leaf: the node of before->trees where its operand of the model begins. NOWHERE: it is in
+     * none, or under % or #, and its edits cannot be followed. */
+    uint32_t *operands;
+    uint32_t *members; /* by object, of the crowd */
+    uint8_t *marks;    /* by object, 0 between edits */
     struct csg_totals totals;
 };
 

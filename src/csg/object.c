@@ -208,16 +208,12 @@ static bool is_kept(const struct csgcast_scene *scene, const struct csg_tree *tr
     return end - begin <= CSG_KEPT_MAX_NODES && csg_nodes_are_opaque(scene, tree->data, begin, end);
 }
 
-/* One operand of the outermost union: kept whole, with what does not show as spares, or crowded. */
-static void mark_operand(struct csg_tree *tree, uint32_t begin, bool kept, const uint8_t *known)
+/* One operand of the outermost union, which stays whole: what does not show becomes spare. */
+static void mark_spares(struct csg_tree *tree, uint32_t begin, const uint8_t *known)
 {
-    for (uint32_t i = begin; i < tree->data[begin].end; i++) {
-        struct csg_node *node = &tree->data[i];
-        if (node->op == CSG_LEAF) {
-            node->spare = kept && known[node->leaf] == CSG_NOTHING;
-            node->crowded = !kept;
-        }
-    }
+    for (uint32_t i = begin; i < tree->data[begin].end; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            tree->data[i].spare = known[tree->data[i].leaf] == CSG_NOTHING;
 }
 
 bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree *tree,
@@ -230,20 +226,13 @@ bool csg_tree_keep_structure(const struct csgcast_scene *scene, struct csg_tree 
         mark_known(pruned, CSG_VARIES, known);
         mark_known(&scene->trees[CSG_LAYER_HIGHLIGHT], true, highlighted);
         for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
-            mark_operand(tree, i, is_kept(scene, tree, i, highlighted), known);
+            if (is_kept(scene, tree, i, highlighted))
+                mark_spares(tree, i, known);
         ok = csg_tree_simplify(tree, known);
     }
     free(known);
     free(highlighted);
     return ok;
-}
-
-static bool is_crowded(const struct csg_tree *tree, uint32_t begin)
-{
-    for (uint32_t i = begin; i < tree->data[begin].end; i++)
-        if (tree->data[i].op == CSG_LEAF)
-            return tree->data[i].crowded;
-    return false;
 }
 
 size_t csg_count_operands(const struct csg_tree *tree)
@@ -262,8 +251,7 @@ static bool split_layer(const struct csgcast_scene *scene, uint8_t layer,
     bool ok = csg_array_reserve(objects, csg_count_operands(tree));
     for (uint32_t i = csg_tree_first_operand(tree); i < tree->num && ok; i = tree->data[i].end) {
         struct csg_object *object = &objects->data[objects->num++];
-        *object = (struct csg_object){
-            layer, layer, false, is_crowded(tree, i), i, tree->data[i].end, csg_box_empty};
+        *object = (struct csg_object){layer, layer, false, i, tree->data[i].end, csg_box_empty};
         ok = csg_operand_box(scene, tree, i, &room, &object->box);
     }
     free(room.data);

@@ -11,7 +11,6 @@ struct csg_object {
     uint8_t layer;       /* enum csg_layer */
     uint8_t paint;       /* the layer whose colours it takes: HIGHLIGHT where # is on all of it */
     bool hidden;         /* of the highlight layer, and drawn already as part of such an object */
-    bool crowded;        /* its structure may change with an edit: no program of its own */
     uint32_t begin, end; /* nodes of scene->trees[layer] */
     struct csg_box box;  /* of the Boolean result, conservative */
 };

@@ -21,7 +21,8 @@ static void list_lefts(struct csg_plan *plan, const struct csgcast_scene *scene,
                        const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    for (uint32_t i = object->begin; i < object->end && !object->crowded; i++)
+    const bool is_small = object->end - object->begin <= CSG_KEPT_MAX_NODES;
+    for (uint32_t i = object->begin; i < object->end && is_small; i++)
         if (nodes[i].op == CSG_LEAF && !nodes[i].negated &&
             is_first(&scene->leaves[nodes[i].leaf].shape, met))
             plan->lefts[plan->num_lefts++] = nodes[i].leaf;

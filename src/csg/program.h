@@ -35,8 +35,8 @@ enum { CSG_PLAN_MAX_PLANES = 6, CSG_PLAN_MAX_LEFTS = 2 * (CSG_PLAN_MAX_PLANES + 
 struct csg_plan {
     struct csg_program program;
     uint32_t *begin; /* per object: its first step; one more at the end */
-    /* Where edits follow: of the solids that may be all that is left of an object, the first ones
-     * with a quadric or without and each number of planes. */
+    /* Where edits follow: of the solids that may be all that is left of a small object, the first
+     * ones with a quadric or without and each number of planes. */
     uint32_t lefts[CSG_PLAN_MAX_LEFTS];
     size_t num_lefts;
     bool has_surface, has_rings; /* ... and whether some leaf is one, or may be part of a stack */

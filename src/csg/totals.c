@@ -9,10 +9,13 @@
 /* Objects of a run. */
 enum { RUN = 256 };
 
-static void add_leaf(struct csg_sum *sum, const struct csg_leaf *leaf, bool negated)
+static void add_leaf(struct csg_sum *sum, const struct csgcast_scene *scene,
+                     const struct csg_node *node, uint8_t layer)
 {
-    sum->sagitta = fmax(sum->sagitta, leaf->shape.sagitta);
-    if (negated)
+    const struct csg_leaf *leaf = &scene->leaves[node->leaf];
+    if (layer != CSG_LAYER_HIGHLIGHT)
+        sum->sagitta = fmax(sum->sagitta, leaf->shape.sagitta);
+    if (node->negated)
         return;
     const struct csg_box written = csg_written_box(leaf);
     if (csg_box_is_finite(&written))
@@ -23,15 +26,17 @@ static void add_object(struct csg_sum *sum, const struct csgcast_scene *scene,
                        const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    sum->box = csg_box_union(&sum->box, &object->box);
+    if (object->layer == CSG_LAYER_MODEL)
+        sum->box = csg_box_union(&sum->box, &object->box);
+    sum->drawn = csg_box_union(&sum->drawn, &object->box);
     for (uint32_t i = object->begin; i < object->end; i++)
         if (nodes[i].op == CSG_LEAF && !nodes[i].spare)
-            add_leaf(sum, &scene->leaves[nodes[i].leaf], nodes[i].negated);
+            add_leaf(sum, scene, &nodes[i], object->layer);
 }
 
 static struct csg_sum nothing(void)
 {
-    return (struct csg_sum){csg_box_empty, csg_box_empty, 0};
+    return (struct csg_sum){csg_box_empty, csg_box_empty, csg_box_empty, 0};
 }
 
 static void add_run(struct csg_totals *totals, const struct csgcast_scene *scene, size_t run)
@@ -61,23 +66,23 @@ void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *sce
     add_run(totals, scene, object / RUN);
 }
 
-struct csg_box csg_totals_box(const struct csg_totals *totals)
-{
-    struct csg_box box = csg_box_empty;
-    for (size_t i = 0; i < totals->num; i++)
-        box = csg_box_union(&box, &totals->sums[i].box);
-    return box;
-}
-
-void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene)
+struct csg_sum csg_totals_sum(const struct csg_totals *totals)
 {
     struct csg_sum all = nothing();
     for (size_t i = 0; i < totals->num; i++) {
         all.box = csg_box_union(&all.box, &totals->sums[i].box);
+        all.drawn = csg_box_union(&all.drawn, &totals->sums[i].drawn);
         all.written = csg_box_union(&all.written, &totals->sums[i].written);
         all.sagitta = fmax(all.sagitta, totals->sums[i].sagitta);
     }
-    scene->box = scene->drawn = all.box;
+    return all;
+}
+
+void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene)
+{
+    const struct csg_sum all = csg_totals_sum(totals);
+    scene->box = all.box;
+    scene->drawn = all.drawn;
     scene->written = all.written;
     scene->info.sagitta = all.sagitta;
 }

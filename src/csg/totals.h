@@ -4,14 +4,14 @@
 
 /*
  * What a scene's boxes are united from: sums over runs of objects. After an edit only the runs of
- * the objects that changed are added up anew. Of scenes whose objects are all of the model.
+ * the objects that changed are added up anew. Of scenes without render() nodes.
  */
 
 #include "csg/object.h"
 
 /* Of a run of objects. */
 struct csg_sum {
-    struct csg_box box, written; /* as in csgcast_scene */
+    struct csg_box box, drawn, written; /* as in csgcast_scene */
     double sagitta;
 };
 
@@ -29,7 +29,7 @@ void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *sce
                       uint32_t object);
 
 /* Of all objects. */
-struct csg_box csg_totals_box(const struct csg_totals *totals);
+struct csg_sum csg_totals_sum(const struct csg_totals *totals);
 
 /* Gives the scene its box, drawn, written and sagitta: those that csg_scene_finish finds. */
 void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene);

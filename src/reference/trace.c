@@ -348,8 +348,8 @@ static bool trace_layer(const struct csgcast_scene *scene, uint8_t layer, const 
     }
     if (!best->inside)
         return true;
-    const struct csg_object all = {
-        layer, layer, false, false, 0, (uint32_t)scene->trees[layer].num, csg_box_all};
+    const struct csg_object all = {layer,      layer, false, 0, (uint32_t)scene->trees[layer].num,
+                                   csg_box_all};
     *best = (struct best){.found = false};
     return try_object(scene, &all, ray, scratch, best);
 }

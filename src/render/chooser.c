@@ -41,9 +41,7 @@ bool csg_draws_whole(size_t object, double area, const void *user)
 {
     const struct csg_request *request = user;
     const struct csg_structure structure = csg_chooser_structure(request, (uint32_t)object);
-    /* A single solid's program is there, whatever an edit does to the others of its object. */
-    const bool crowded = request->scene->objects->data[object].crowded && structure.num > 1;
-    if (crowded || request->tile_size || request->resolver == CSG_RESOLVER_CHAIN ||
+    if (request->tile_size || request->resolver == CSG_RESOLVER_CHAIN ||
         request->resolver == CSG_RESOLVER_CELLS || (request->shared && structure.num > 1))
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)

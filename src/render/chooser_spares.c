@@ -48,8 +48,8 @@ bool csg_chooser_prepare_whole(struct csg_chooser *chooser, const struct csg_dra
         return true;
     chooser->prepared_whole = draw->object + 1;
     const struct csg_structure structure = csg_chooser_structure(request, draw->object);
-    if (request->shared || request->scene->objects->data[draw->object].crowded ||
-        !csg_chooser_may_tile(request, &structure) || !csg_structure_is_small(&structure))
+    if (request->shared || !csg_chooser_may_tile(request, &structure) ||
+        !csg_structure_is_small(&structure))
         return true;
     return csg_chooser_prepare_tiles(chooser) &&
            (!csg_chooser_has_room(chooser, &structure, draw->stiff) ||

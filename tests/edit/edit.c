@@ -40,7 +40,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < num_scenes / 5; i++)
         check_series(&bench, seed + 100 + (unsigned)i);
     for (int i = 0; i < num_scenes / 5; i++)
-        check_many(&bench, seed + 200 + (unsigned)i);
+        check_many(&bench, seed + 200 + (unsigned)i, i % 2);
     check_upload(&bench);
     check_batch(&bench);
     check_cases(&bench);

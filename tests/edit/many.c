@@ -58,11 +58,11 @@ static bool has_empty(const struct model *model)
 }
 
 /* Every few of them are compared with a fresh scene. */
-void check_many(struct bench *bench, uint64_t seed)
+void check_many(struct bench *bench, uint64_t seed, bool marked)
 {
     static struct model model;
     size_t name = 0;
-    model_init_many(&model, seed, NUM_OBJECTS);
+    model_init_many(&model, seed, NUM_OBJECTS, marked);
     model_print(&model, bench->text);
     struct csgcast_scene *scene = bench_begin(bench, bench->text, seed % 2);
     for (int i = 0; i < NUM_IN_A_ROW; i++) {
@@ -85,7 +85,7 @@ void check_upload(struct bench *bench)
     const struct csgcast_camera camera = {
         .kind = CSGCAST_CAMERA_GIMBAL, .translate = {15, 15, 15}, .distance = 120};
     struct csgcast_stats stats;
-    model_init_many(&model, 7, NUM_OBJECTS);
+    model_init_many(&model, 7, NUM_OBJECTS, false);
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);

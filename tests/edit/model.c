@@ -75,7 +75,7 @@ static void add_node(struct model *model, int max_leaves, int depth)
 {
     struct model_node *node = &model->nodes[model->num_nodes++];
     const bool is_leaf = depth == 0 || model->num_leaves + 2 > max_leaves || pick(model, 4) == 0;
-    *node = (struct model_node){is_leaf ? 0 : 1 + pick(model, 3), 0};
+    *node = (struct model_node){is_leaf ? 0 : 1 + pick(model, 3), 0, NULL};
     if (is_leaf) {
         add_leaf(model);
         return;
@@ -98,20 +98,24 @@ void model_init(struct model *model, uint64_t seed, int max_leaves)
 /* Cells of the grid, and their size. */
 enum { NUM_CELLS = 6, CELL = 5 };
 
-void model_init_many(struct model *model, uint64_t seed, int num_objects)
+void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked)
 {
+    static const char *const marks[] = {"#", "%", "render() "};
     memset(model, 0, sizeof *model);
     model->state = seed;
-    model->nodes[model->num_nodes++] = (struct model_node){1, num_objects};
+    model->nodes[model->num_nodes++] = (struct model_node){1, num_objects, NULL};
     for (int i = 0; i < num_objects; i++) {
         const int num = pick(model, 3) ? 1 : 2 + pick(model, 2), first = model->num_leaves;
         const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS, i / NUM_CELLS / NUM_CELLS};
+        const char *mark = marked && i % 20 == 0 ? marks[pick(model, 3)] : NULL;
+        const int node = model->num_nodes;
         if (num > 1)
-            model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num};
+            model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num, NULL};
         for (int j = 0; j < num; j++) {
-            model->nodes[model->num_nodes++] = (struct model_node){0, 0};
+            model->nodes[model->num_nodes++] = (struct model_node){0, 0, NULL};
             add_leaf(model);
         }
+        model->nodes[node].mark = mark;
         for (int j = first; j < model->num_leaves; j++)
             for (int k = 0; k < 3; k++) {
                 model->leaves[j].place[k] = CELL * place[k];
@@ -155,6 +159,7 @@ static void put_node(struct printer *printer)
 {
     static const char *const ops[] = {"", "union", "difference", "intersection"};
     const struct model_node *node = &printer->model->nodes[printer->node++];
+    put(printer, "%s", node->mark ? node->mark : "");
     if (node->op == 0) {
         put_leaf(printer);
         return;

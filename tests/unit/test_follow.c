@@ -59,9 +59,24 @@ static void check_leaves(void)
     csgcast_scene_destroy(scene);
 }
 
+/* What is under % or # is looked at anew with all the rest; nothing else is. */
+static void check_layers(void)
+{
+    struct csgcast_scene *scene =
+        parse("sphere(1);\ntranslate([5, 0, 0]) sphere(1);\n%translate([9, 0, 0]) cube(3);\n"
+              "#translate([0, 9, 0]) cube(3);");
+    const double near[16] = {1, 0, 0, 5, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .matrix = near}, true);
+    expect(scene, &(struct csgcast_edit){.leaf = 2, .parameters = "2"}, false);
+    expect(scene, &(struct csgcast_edit){.leaf = 3, .parameters = "2"}, false);
+    expect(scene, &(struct csgcast_edit){.leaf = 1, .parameters = "1.1"}, true);
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     check_ways();
     check_leaves();
+    check_layers();
     return num_failed != 0;
 }
