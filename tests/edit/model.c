@@ -100,14 +100,14 @@ enum { NUM_CELLS = 6, CELL = 5 };
 
 void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked)
 {
-    static const char *const marks[] = {"#", "%", "render() "};
+    static const char *const marks[] = {"#", "%"};
     memset(model, 0, sizeof *model);
     model->state = seed;
     model->nodes[model->num_nodes++] = (struct model_node){1, num_objects, NULL};
     for (int i = 0; i < num_objects; i++) {
         const int num = pick(model, 3) ? 1 : 2 + pick(model, 2), first = model->num_leaves;
         const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS, i / NUM_CELLS / NUM_CELLS};
-        const char *mark = marked && i % 20 == 0 ? marks[pick(model, 3)] : NULL;
+        const char *mark = marked && i % 20 == 0 ? marks[pick(model, 2)] : NULL;
         const int node = model->num_nodes;
         if (num > 1)
             model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num, NULL};

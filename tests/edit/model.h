@@ -24,7 +24,7 @@ struct model_leaf {
 struct model_node {
     int op; /* 0 leaf, 1 union, 2 difference, 3 intersection */
     int num;
-    const char *mark; /* before it: "#", "%" or "render() "; NULL: nothing */
+    const char *mark; /* before it: "#" or "%"; NULL: nothing */
 };
 
 struct model {
@@ -41,7 +41,7 @@ double model_random(struct model *model, double lo, double hi);
 void model_init(struct model *model, uint64_t seed, int max_leaves);
 
 /* Objects of one solid to three in a grid of places, some of them with flush faces; marked: some
- * under #, % or render(). */
+ * under # or %. */
 void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked);
 
 void model_random_matrix(struct model *model, double matrix[16]);
