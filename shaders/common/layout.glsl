@@ -24,6 +24,17 @@
 #define CSG_RECORD_BANDS 1024 /* with CSG_RECORD_SURFACE: no triangles but bands, see below */
 
 /*
+ * Of the records of a tree of clauses, an intersection of unions of literals, or a union of
+ * intersections, each also tells for chains (shaders/csg/clauses.glsl): which of the literals, in
+ * the order of their records, are in one clause with it, a bit each; how many come before it where
+ * several change at once; and whether the clauses are intersections.
+ */
+#define CSG_RECORD_CLAUSE 2048 /* the first of CSG_MAX_CLAUSE_LITERALS bits */
+#define CSG_MAX_CLAUSE_LITERALS 5
+#define CSG_RECORD_ORDER 65536 /* the first of three bits */
+#define CSG_RECORD_ANY 524288
+
+/*
  * A surface's record has lists of faces by cell, a square of pixels; all places count from the
  * header.
  *     header       texels that follow, 0, flags, attribute block / 4
@@ -92,6 +103,8 @@
 
 /* In a chain's slot: the complement of a leaf. The rest is the code of its quadric. */
 #define CSG_CHAIN_NEGATED 128
+/* ... and what of the record's flags tells of clauses: those from CSG_RECORD_CLAUSE on. */
+#define CSG_CHAIN_CLAUSE 256
 
 /* The geometry buffer: bits of the key, and the place of the visible face's normal, + 1. */
 #define CSG_UNFINISHED 0xffffffffu /* in its place: the program gave up, see csg/turns.glsl */

@@ -14,11 +14,14 @@ int csg_slot_number(vec4 plane, int place)
 
 /*
  * The record at p, p moves past it; beyond the last one, the complement of a solid that no ray
- * meets. head: flags, and where the normals are, as csg_normals_of has it.
+ * meets, in the first one's clause. head: flags, and where the normals are, as csg_normals_of has it.
  */
 void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out vec4 e1, out vec4 x0,
                    out vec4 x1, out bool has_quadric)
 {
+#ifdef CSG_HAS_CLAUSES
+    p += p < object.y && (int(csg_texel(p).z) & CSG_RECORD_POP) != 0 ? 1 : 0;
+#endif
     bool has = p < object.y;
     int at = has ? p : object.x;
     vec4 record = csg_texel(at);
@@ -30,7 +33,8 @@ void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out ve
     x1 = csg_slot_plane(at + 2 + entries, exits > 1, CSG_KEY_MAX);
     int numbers = csg_slot_number(e0, 0) | csg_slot_number(e1, 1) | csg_slot_number(x0, 2) |
                   csg_slot_number(x1, 3);
-    head = vec3(negated ? float(CSG_CHAIN_NEGATED) : 0.0, record.w, float(numbers));
+    int clause = int(record.z) / CSG_RECORD_CLAUSE * CSG_CHAIN_CLAUSE;
+    head = vec3(float(clause + (negated ? CSG_CHAIN_NEGATED : 0)), record.w, float(numbers));
     has_quadric = has && (int(record.z) & CSG_RECORD_QUADRIC) != 0;
     p += has ? 1 + entries + exits : 0;
 }

@@ -11,7 +11,7 @@
 
 /* Solids a pixel is tested against in tiles, from which on cells are faster: in bunches, in rows of
  * solids, and in nested trees, which need a stack. */
-#define MAX_TESTS_BUNCHED 3.0
+#define MAX_TESTS_BUNCHED 9.5
 #define MAX_TESTS_ROW 6.0
 #define MAX_TESTS_NESTED 13.0
 
@@ -22,7 +22,7 @@
 
 /* Shares of that: few, so that cells are certainly no faster, and many: they certainly are. */
 #define FEW_TESTS 0.7
-#define MANY_TESTS 8.0
+#define MANY_TESTS 3.0
 
 static bool is_nested(const struct csg_terms *terms, const struct csg_object *object)
 {

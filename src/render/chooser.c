@@ -134,9 +134,11 @@ static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *
         return -1;
     const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
                                      (size_t)draw->instance.records[1]);
-    if (chain >= 0 && chooser->common_chain >= 0)
+    if (chain < 0 || (request->shared && csg_chains[chain].clauses))
+        return -1;
+    if (chooser->common_chain >= 0)
         return chooser->common_chain;
-    return chain >= 0 && can_be_chain(chooser, chain) ? chain : -1;
+    return can_be_chain(chooser, chain) ? chain : -1;
 }
 
 /* One picture does not repay what several chains take to compile or to read from the driver's
@@ -152,10 +154,8 @@ static int find_common_chain(const struct csg_chooser *chooser)
         all.slots = csg_chains[chain].slots > all.slots ? csg_chains[chain].slots : all.slots;
         all.quadrics |= csg_chains[chain].quadrics;
     }
-    for (int i = 0; i < CSG_NUM_CHAINS && all.slots > 0; i++)
-        if (all.slots <= csg_chains[i].slots && all.quadrics == csg_chains[i].quadrics)
-            return can_be_chain(chooser, i) ? i : -1;
-    return -1;
+    const int chain = all.slots > 0 ? csg_chain_fit(&all) : -1;
+    return chain >= 0 && can_be_chain(chooser, chain) ? chain : -1;
 }
 
 static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw *draw,

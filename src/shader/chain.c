@@ -12,6 +12,9 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {.slots = 2, .handed = 2, .quadrics = true, .colors = true, .normals = true},
     {.slots = 3, .handed = 3, .quadrics = true, .colors = true},
     {.slots = 5, .handed = 4, .quadrics = true},
+    {.slots = 5, .handed = 5, .colors = true, .clauses = true},
+    {.slots = 3, .handed = 3, .quadrics = true, .colors = true, .clauses = true},
+    {.slots = 5, .handed = 4, .quadrics = true, .clauses = true},
 };
 
 /* Planes of either sense that a slot holds, and numbers of normals that shaders/csg/normals.glsl
@@ -19,8 +22,10 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
 #define MAX_PLANES 2
 #define MAX_NUMBER 63
 
-#define NOT_IN_CHAINS                                                                              \
-    (CSG_RECORD_POP | CSG_RECORD_PUSH | CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
+#define NOT_IN_CHAINS (CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
+
+/* What follows one another without clauses, but for the complement that does not come first. */
+#define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH)
 
 /* A slot's numbers, variable and component: its planes e f x y, its head h, its quadric q r s, of
  * which the code q.w is part of h.x, and for colours its colour t and the terms u v w of its
@@ -82,12 +87,11 @@ static int64_t rank_of(const float *texels, const float *head)
     return (int64_t)leaf + ((int)head[2] & CSG_RECORD_NEGATED ? (int64_t)1 << 32 : 0);
 }
 
-/* Whether the record is one that a chain can have behind another one of that rank. */
-static bool is_link(const float *texels, const float *head, int64_t rank)
+/* Whether a slot has room for the record. */
+static bool fits_slot(const float *head)
 {
     const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-    if (flags & NOT_IN_CHAINS || !(flags & (CSG_RECORD_START | CSG_RECORD_AND)) ||
-        entries > MAX_PLANES || exits > MAX_PLANES || rank_of(texels, head) < rank)
+    if (flags & NOT_IN_CHAINS || entries > MAX_PLANES || exits > MAX_PLANES)
         return false;
     for (int i = 0; i < entries + exits; i++)
         if (fabsf(head[4 * (1 + i) + 3]) > MAX_NUMBER + 1)
@@ -95,22 +99,44 @@ static bool is_link(const float *texels, const float *head, int64_t rank)
     return true;
 }
 
+/* Whether the record, number slot of those of an intersection, may come behind one of that rank. */
+static bool is_link(const float *texels, const float *head, int slot, int64_t rank)
+{
+    const int flags = (int)head[2];
+    return !(flags & NOT_IN_ROWS) && flags & (CSG_RECORD_START | CSG_RECORD_AND) &&
+           rank_of(texels, head) >= rank && (slot > 0 || !(flags & CSG_RECORD_NEGATED));
+}
+
+static const float *behind(const float *head)
+{
+    const int flags = (int)head[2];
+    return head + 4 * (1 + (int)head[0] + (int)head[1] +
+                       (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
+}
+
 int csg_chain_find(const float *texels, size_t begin, size_t end)
 {
-    int slots = 0;
-    bool quadrics = false;
+    const float *last = texels + 4 * end;
+    struct csg_chain found = {.clauses = (int)texels[4 * begin + 2] >= CSG_RECORD_CLAUSE};
     int64_t rank = 0;
-    for (const float *head = texels + 4 * begin; head < texels + 4 * end; slots++) {
+    for (const float *head = texels + 4 * begin; head < last; head = behind(head)) {
         const int flags = (int)head[2];
-        if (!is_link(texels, head, rank) || (slots == 0 && flags & CSG_RECORD_NEGATED))
+        if (found.clauses && flags & CSG_RECORD_POP)
+            continue;
+        if (!fits_slot(head) || (!found.clauses && !is_link(texels, head, found.slots, rank)))
             return -1;
         rank = rank_of(texels, head);
-        quadrics |= flags & CSG_RECORD_QUADRIC;
-        head += 4 * (1 + (int)head[0] + (int)head[1] +
-                     (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
+        found.slots++;
+        found.quadrics |= flags & CSG_RECORD_QUADRIC;
     }
+    return csg_chain_fit(&found);
+}
+
+int csg_chain_fit(const struct csg_chain *chain)
+{
     for (int i = 0; i < CSG_NUM_CHAINS; i++)
-        if (slots <= csg_chains[i].slots && quadrics == csg_chains[i].quadrics)
+        if (chain->slots <= csg_chains[i].slots && chain->quadrics == csg_chains[i].quadrics &&
+            chain->clauses == csg_chains[i].clauses)
             return i;
     return -1;
 }
@@ -218,20 +244,89 @@ static void add_spans(struct csg_text *text, const struct csg_chain *chain)
     }
 }
 
+/* ---- clauses: see shaders/csg/clauses.glsl -------------------------------------------------- */
+
+static void add_literals(struct csg_text *text, const struct csg_chain *chain)
+{
+    for (int i = 0; i < chain->slots; i++) {
+        csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i,
+                     i, i);
+        if (chain->quadrics)
+            csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i,
+                         i, i, i);
+        csg_text_add(text,
+                     "    bool c%d = csg_clause_negated(h%d);\n"
+                     "    int g%d = csg_clause_of(h%d);\n",
+                     i, i, i, i);
+    }
+}
+
+/* Those that hold just after k, or just before, as the bits of a variable. */
+static void add_holding(struct csg_text *text, const struct csg_chain *chain, const char *name,
+                        const char *when, const char *k)
+{
+    csg_text_add(text, "%s = ", name);
+    for (int i = 0; i < chain->slots; i++)
+        csg_text_add(text, "%scsg_clause_%s(c%d, l%d, %s, %d)", i ? " | " : "", when, i, i, k,
+                     1 << i);
+    csg_text_add(text, ";\n");
+}
+
+/* The first key at which all clauses hold, of those at which a literal begins to. */
+static void add_first(struct csg_text *text, const struct csg_chain *chain)
+{
+    csg_text_add(text, "    int flip = csg_clause_flip(h0), holding;\n    float at;\n"
+                       "    k = CSG_NEVER;\n");
+    for (int i = 0; i < chain->slots; i++) {
+        csg_text_add(text, "    at = csg_clause_begin(c%d, l%d);\n    ", i, i);
+        add_holding(text, chain, "holding", "after", "at");
+        csg_text_add(text, "    holding ^= flip;\n    k = (");
+        for (int j = 0; j < chain->slots; j++)
+            csg_text_add(text, "%s(holding & g%d) != 0", j ? " && " : "", j);
+        csg_text_add(text, ") != (flip != 0) ? min(k, at) : k;\n");
+    }
+    csg_text_add(text, "    if (!(k < csg_screen_key.z))\n        return false;\n");
+}
+
+/* Literals that have begun to hold, and whose clauses then have: of a union none held before, of an
+ * intersection all do behind. */
+static void add_changes(struct csg_text *text, const struct csg_chain *chain)
+{
+    csg_text_add(text, "    int ");
+    add_holding(text, chain, "before", "before", "k");
+    csg_text_add(text, "    int ");
+    add_holding(text, chain, "after", "after", "k");
+    csg_text_add(text, "    int begun = after & ~before, other = flip != 0 ? ~after : before;\n"
+                       "    int least = 8;\n");
+    for (int i = 0; i < chain->slots; i++)
+        csg_text_add(text,
+                     "    int o%d = (begun & %d) != 0 && (other & g%d) == 0 ? "
+                     "csg_clause_order(h%d) : 8;\n    least = min(least, o%d);\n",
+                     i, 1 << i, i, i, i);
+}
+
 static void add_search(struct csg_text *text, const struct csg_chain *chain)
 {
     static const size_t slots[] = {1, 2, 3, 4};
     csg_text_add_passing(text, "o%zu", slots, (size_t)chain->slots - 1);
 }
 
-/* The face, of the literal that has begun to hold; of several, of the first. */
+/* Whether it is the literal's face that shows: it has begun to hold. */
+static void add_change(struct csg_text *text, const struct csg_chain *chain, int i)
+{
+    if (chain->clauses)
+        csg_text_add(text, "    bool m%d = o%d == least;\n", i, i);
+    else
+        csg_text_add(text, "    bool m%d = csg_chain_changes(c%d, l%d, k);\n", i, i, i);
+}
+
+/* The face; of several, of the first. */
 static void add_face(struct csg_text *text, const struct csg_chain *chain)
 {
     for (int i = chain->slots; i-- > 0;) {
-        csg_text_add(text,
-                     "    bool m%d = csg_chain_changes(c%d, l%d, k);\n"
-                     "    place = m%d ? csg_chain_place(c%d, h%d, l%d) : place;\n",
-                     i, i, i, i, i, i, i);
+        add_change(text, chain, i);
+        csg_text_add(text, "    place = m%d ? csg_chain_place(c%d, h%d, l%d) : place;\n", i, i, i,
+                     i);
         if (chain->colors)
             csg_text_add(text, "    csg_tint = m%d ? t%d : csg_tint;\n", i, i);
         for (int j = 0; j < 3 && chain->normals; j++)
@@ -256,8 +351,14 @@ static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
                  " out bool inside)\n{\n    inside = false;\n    place = ivec2(0);\n",
                  csg_chain_handed(chain));
     add_slots(text, chain);
-    add_spans(text, chain);
-    add_search(text, chain);
+    if (chain->clauses) {
+        add_literals(text, chain);
+        add_first(text, chain);
+        add_changes(text, chain);
+    } else {
+        add_spans(text, chain);
+        add_search(text, chain);
+    }
     add_face(text, chain);
 }
 

@@ -308,10 +308,16 @@ struct csg_stages csg_source_geometry_chain(int i, int features)
     struct csg_text vertex = {0}, fragment = {0};
     features |= chain.quadrics ? CSG_FEATURE_QUADRIC : 0;
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, features);
+    if (chain.clauses) {
+        csg_text_add(&vertex, "#define CSG_HAS_CLAUSES\n");
+        csg_text_add(&fragment, "#define CSG_HAS_CLAUSES\n");
+    }
     add_file(&vertex, "csg/slots.glsl");
     if (chain.slots > chain.handed)
         add_file(&fragment, "csg/slots.glsl");
     add_file(&fragment, "csg/chain.glsl");
+    if (chain.clauses)
+        add_file(&fragment, "csg/clauses.glsl");
     add_spare(&vertex, &fragment, features, csg_chain_handed(&chain));
     csg_source_chain(&vertex, &fragment, &chain);
     return finish_geometry(&vertex, &fragment, features);

@@ -62,9 +62,11 @@ struct csg_chain {
     bool quadrics;        /* whether they may have one */
     bool colors, normals; /* there is room for the solids' colours, and the terms of their quadrics'
                            * normals */
+    bool clauses;         /* unions of some of them, or intersections of a union: see
+                           * shaders/csg/clauses.glsl */
 };
 
-#define CSG_NUM_CHAINS 5
+#define CSG_NUM_CHAINS 8
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
 /* Chain i as programs have it: those that write no colours ask for none. */
@@ -81,6 +83,9 @@ size_t csg_chain_handed(const struct csg_chain *chain);
 
 /* The smallest chain that the records at [begin, end) of a frame's texels fit; -1: none. */
 int csg_chain_find(const float *texels, size_t begin, size_t end);
+
+/* The smallest chain that has so many slots, and the same of quadrics and clauses; -1: none. */
+int csg_chain_fit(const struct csg_chain *chain);
 
 struct csg_text {
     char *data; /* zero-terminated; NULL when memory ran out */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "pack/surface_record.h"
+#include "tile/clauses.h"
 #include "tile/tiler.h"
 
 /* A tile whose part of the tree is this small is not worth cutting further. */
@@ -27,6 +28,10 @@
 
 /* A tile that may meet so few bands of stacks is not worth cutting for them. */
 #define SMALL_BANDS 4
+
+/* Tiles of the smallest size are cut once more where they have more leaves than a chain, up to so
+ * many. */
+#define CROWDED_LEAVES 16
 
 /* Where so many leaves are left and a quarter of the area spares less than this share of them, the
  * tile is drawn as it is. */
@@ -174,6 +179,8 @@ static bool emit(struct csg_tiler *tiler, const struct csg_tile_task *task)
     if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
                        !draw.around_eye))
         return false;
+    if (!task->flat && task->tree.num > 1)
+        csg_clauses_mark(&tiler->scan.program, &task->tree);
     draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
     for (size_t i = 0; i < tiler->scan.program.num; i++) {
         const uint32_t flags = tiler->scan.program.data[i].flags;
@@ -197,11 +204,19 @@ static bool is_within(const struct csg_tile_task *task, int size)
     return task->hi[0] - task->lo[0] <= size && task->hi[1] - task->lo[1] <= size;
 }
 
+/* Of leaves that a chain has no room for few may be left in a smaller tile, where a pixel takes a
+ * tenth of the time. */
+static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
+{
+    return !tiler->fine && !tiler->terms->params->tile_size &&
+           num_leaves > CSG_MAX_CLAUSE_LITERALS && num_leaves <= CROWDED_LEAVES;
+}
+
 static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                              size_t num_leaves)
 {
     const int few = !tiler->fine && task->flat && num_leaves <= FEW_LEAVES ? 2 : 1;
-    const int tile = few * tile_size(tiler);
+    const int tile = is_crowded(tiler, num_leaves) ? tile_size(tiler) / 2 : few * tile_size(tiler);
     const bool smallest = is_within(task, tile);
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];

@@ -11,7 +11,7 @@
 
 #include "pack/terms.h"
 
-/* Tiles are not cut below this size, in pixels. */
+/* Tiles are not cut below this size, in pixels, but once more where many solids are left. */
 #define CSG_TILE_SIZE 8
 
 /* Texels of an object beyond which its tiles are not cut further: 128 MB. */

@@ -24,6 +24,16 @@ static const struct example examples[] = {
      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cylinder(h = 6, r1 = 1.4, r2 = 1.4);",
      512, 20},
+    {"unions of complements",
+     "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 5], "
+     "[0, 0, 0, 1]]) intersection() { sphere(r = 1.6); "
+     "cube([3, 3, 3], center = true); }",
+     512, 100},
+    {"intersections with a union",
+     "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 5], "
+     "[0, 0, 0, 1]]) difference() { sphere(r = 1.6); "
+     "cylinder(h = 3, r1 = 0.5, r2 = 0.5, center = true); }",
+     512, 60},
 };
 
 static char *plate(const char *solid)
