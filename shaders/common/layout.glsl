@@ -29,8 +29,7 @@
  * the order of their records, are in one clause with it, a bit each; how many come before it where
  * several change at once; and whether the clauses are intersections.
  */
-#define CSG_RECORD_CLAUSE 2048 /* the first of CSG_MAX_CLAUSE_LITERALS bits */
-#define CSG_MAX_CLAUSE_LITERALS 5
+#define CSG_RECORD_CLAUSE 2048 /* the first of CSG_CHAIN_LITERALS bits */
 #define CSG_RECORD_ORDER 65536 /* the first of three bits */
 #define CSG_RECORD_ANY 524288
 
@@ -100,6 +99,10 @@
 #define CSG_QUADRIC_X_PLUS 4   /* the conic has + x'^2 */
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
+
+/* Literals of a chain, and planes of either sense that each may have. */
+#define CSG_CHAIN_LITERALS 5
+#define CSG_CHAIN_PLANES 2
 
 /* In a chain's slot: the complement of a leaf. The rest is the code of its quadric. */
 #define CSG_CHAIN_NEGATED 128

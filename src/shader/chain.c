@@ -17,9 +17,7 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {.slots = 5, .handed = 4, .quadrics = true, .clauses = true},
 };
 
-/* Planes of either sense that a slot holds, and numbers of normals that shaders/csg/normals.glsl
- * has bits for. */
-#define MAX_PLANES 2
+/* Numbers of normals that shaders/csg/normals.glsl has bits for. */
 #define MAX_NUMBER 63
 
 #define NOT_IN_CHAINS (CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
@@ -34,9 +32,9 @@ static const char numbers[][3] = {"ex", "ey", "ez", "fx", "fy", "fz", "xx", "xy"
                                   "yy", "yz", "hx", "hy", "hz", "qx", "qy", "qz", "rx", "ry",
                                   "rz", "rw", "sx", "sy", "sz", "sw", "tx", "ty", "tz", "ux",
                                   "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"};
-#define NUM_OF_PLANES 15
-#define NUM_OF_QUADRICS 26
-#define NUM_OF_COLORS 29
+#define NUM_OF_PLANES 15U
+#define NUM_OF_QUADRICS 26U
+#define NUM_OF_COLORS 29U
 
 static bool is_handed(const struct csg_chain *chain, size_t number)
 {
@@ -62,7 +60,10 @@ static struct slot find_slot(const struct csg_chain *chain)
 
 size_t csg_chain_handed(const struct csg_chain *chain)
 {
-    return (find_slot(chain).size * (size_t)chain->handed + 3) / 4;
+    const size_t size = NUM_OF_PLANES + (chain->quadrics ? NUM_OF_QUADRICS - NUM_OF_PLANES : 0) +
+                        (chain->colors ? NUM_OF_COLORS - NUM_OF_QUADRICS : 0) +
+                        (chain->normals ? sizeof numbers / sizeof *numbers - NUM_OF_COLORS : 0);
+    return (size * (size_t)chain->handed + 3) / 4;
 }
 
 struct csg_chain csg_chain_of(int i, bool direct)
@@ -91,7 +92,7 @@ static int64_t rank_of(const float *texels, const float *head)
 static bool fits_slot(const float *head)
 {
     const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-    if (flags & NOT_IN_CHAINS || entries > MAX_PLANES || exits > MAX_PLANES)
+    if (flags & NOT_IN_CHAINS || entries > CSG_CHAIN_PLANES || exits > CSG_CHAIN_PLANES)
         return false;
     for (int i = 0; i < entries + exits; i++)
         if (fabsf(head[4 * (1 + i) + 3]) > MAX_NUMBER + 1)

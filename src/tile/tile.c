@@ -171,32 +171,46 @@ static bool is_surface_alone(const struct csg_tiler *tiler)
            csg_terms_view(tiler->terms, step->leaf)->turns == 0;
 }
 
-static bool emit(struct csg_tiler *tiler, const struct csg_tile_task *task)
+/* Appends the tile's records, and notes what draws have to know of them, and the most planes of
+ * either sense that one has. */
+static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *task,
+                        struct csg_draw *draw, int *most_planes)
 {
-    struct csg_frame *frame = tiler->terms->frame;
+    const struct csg_frame *frame = tiler->terms->frame;
     const struct csg_tile_box box = csg_tiler_box(tiler, task);
-    struct csg_draw draw = *tiler->draw;
     if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
-                       !draw.around_eye))
+                       !draw->around_eye))
         return false;
     if (!task->flat && task->tree.num > 1)
         csg_clauses_mark(&tiler->scan.program, &task->tree);
-    draw.instance.records[0] = (int32_t)(frame->texels.num / 4);
+    draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
+    *most_planes = 0;
     for (size_t i = 0; i < tiler->scan.program.num; i++) {
         const uint32_t flags = tiler->scan.program.data[i].flags;
-        draw.bands |= (flags & CSG_RECORD_BANDS) != 0;
-        draw.surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
+        const size_t at = frame->texels.num;
+        draw->bands |= (flags & CSG_RECORD_BANDS) != 0;
+        draw->surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
         if (!add_record(tiler, i, task, &box))
             return false;
+        const int planes = (int)fmaxf(frame->texels.data[at], frame->texels.data[at + 1]);
+        *most_planes = planes > *most_planes ? planes : *most_planes;
     }
-    draw.surface_alone = is_surface_alone(tiler);
-    draw.instance.records[1] = (int32_t)(frame->texels.num / 4);
+    draw->surface_alone = is_surface_alone(tiler);
+    draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
+    return true;
+}
+
+/* Draws the tile by its records. */
+static bool add_draw(struct csg_tiler *tiler, const struct csg_tile_task *task,
+                     struct csg_draw *draw)
+{
+    struct csg_frame *frame = tiler->terms->frame;
     const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
-    csg_draw_set_rect(&draw, &frame->screen, &rect);
+    csg_draw_set_rect(draw, &frame->screen, &rect);
     csg_frame_count(frame, &rect, csg_tree_count_leaves(&task->tree) + task->bands.num);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
-    return draw.instance.records[0] == draw.instance.records[1] ||
-           csg_array_push(&frame->draws, draw);
+    return draw->instance.records[0] == draw->instance.records[1] ||
+           csg_array_push(&frame->draws, *draw);
 }
 
 static bool is_within(const struct csg_tile_task *task, int size)
@@ -204,12 +218,28 @@ static bool is_within(const struct csg_tile_task *task, int size)
     return task->hi[0] - task->lo[0] <= size && task->hi[1] - task->lo[1] <= size;
 }
 
-/* Of leaves that a chain has no room for few may be left in a smaller tile, where a pixel takes a
- * tenth of the time. */
+/* Whether chains may draw the object's tiles: they take a tenth of what the loop takes for a pixel,
+ * so tiles that have too much for them are cut once more. */
+static bool may_chain(const struct csg_tiler *tiler)
+{
+    const struct csg_draw *draw = tiler->draw;
+    return !tiler->fine && !tiler->terms->params->tile_size && !draw->around_eye && !draw->stiff &&
+           !draw->precise;
+}
+
 static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
 {
-    return !tiler->fine && !tiler->terms->params->tile_size &&
-           num_leaves > CSG_MAX_CLAUSE_LITERALS && num_leaves <= CROWDED_LEAVES;
+    return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES;
+}
+
+/* Whether only planes keep the tile from being a chain. Of solids with many all are asked for each
+ * tile. */
+static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile_task *task,
+                            const struct csg_draw *draw, size_t num_leaves, int most_planes)
+{
+    return may_chain(tiler) && most_planes > CSG_CHAIN_PLANES && num_leaves <= CSG_CHAIN_LITERALS &&
+           !draw->surface && !draw->bands && !is_within(task, CSG_TILE_SIZE / 2) &&
+           planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;
 }
 
 static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_tile_task *task,
@@ -236,8 +266,15 @@ static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
         return true;
     }
     const size_t num_leaves = csg_tree_count_leaves(&task->tree);
-    if (!is_worth_cutting(tiler, task, num_leaves))
-        return emit(tiler, task);
+    if (is_worth_cutting(tiler, task, num_leaves))
+        return cut(tiler, task, num_leaves);
+    struct csg_draw draw = *tiler->draw;
+    int most_planes;
+    if (!put_records(tiler, task, &draw, &most_planes))
+        return false;
+    if (!has_many_planes(tiler, task, &draw, num_leaves, most_planes))
+        return add_draw(tiler, task, &draw);
+    tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];
     return cut(tiler, task, num_leaves);
 }
 

@@ -19,7 +19,7 @@ static const struct example examples[] = {
     {"square holes",
      "multmatrix([[1, 0, 0, 0.8], [0, 1, 0, 0.8], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cube([2.4, 2.4, 6]);",
-     512, 150},
+     512, 10},
     {"round holes",
      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cylinder(h = 6, r1 = 1.4, r2 = 1.4);",
@@ -28,7 +28,7 @@ static const struct example examples[] = {
      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 5], "
      "[0, 0, 0, 1]]) intersection() { sphere(r = 1.6); "
      "cube([3, 3, 3], center = true); }",
-     512, 100},
+     512, 60},
     {"intersections with a union",
      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 5], "
      "[0, 0, 0, 1]]) difference() { sphere(r = 1.6); "
