@@ -22,9 +22,9 @@
 #define BRANCHES_PER_BOX 14
 #define BRANCHES_PER_LEAF 28
 
-/* Making one takes as long as so many tests of a solid at a pixel in tiles: up to 60 where holes go
- * through each other, 2 where they do not, as there far fewer branches are enough. */
-#define TESTS_PER_BRANCH 32.0
+/* Making one takes as long as so many tests of a solid at a pixel in tiles: up to 30 where holes go
+ * through each other, 1 where they do not, as there far fewer branches are enough. */
+#define TESTS_PER_BRANCH 16.0
 
 /* For the object, at least and at most. */
 #define MIN_BRANCHES 4096
