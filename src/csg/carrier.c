@@ -145,7 +145,7 @@ void csg_carrier_builder_finish(struct csg_carrier_builder *builder)
     csg_remote_finish(&builder->remote);
     csg_loners_finish(&builder->loners);
     free(builder->wanted);
-    csg_plane_table_finish(&builder->planes);
+    csg_plane_table_finish(&builder->others);
     for (int kind = 0; kind < CSG_NUM_FACE_KINDS; kind++) {
         free(builder->lists[kind].rounding.data);
         free(builder->lists[kind].ranks.data);

@@ -57,7 +57,7 @@ struct csg_carrier_builder {
     bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
     struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
-    struct csg_plane_table planes;  /* that were met */
+    struct csg_plane_table others;  /* planes that were met and are no carrier's own */
     bool *wanted;                   /* by leaf: it is in leaves */
     bool is_alone;                  /* the only leaf: no face can coincide with another */
     struct csg_remote remote;       /* faces of surfaces that have no place in carriers->faces */
@@ -137,6 +137,10 @@ double csg_carrier_tolerance(const struct csg_leaf_extent *extent, double other_
 struct csg_carrier_spread csg_carrier_spread_of(const struct csg_carrier_builder *builder,
                                                 const struct csg_leaf_extent *extent,
                                                 double other_rounding);
+
+/* The carrier that a face on the very same plane got; false: there was none. */
+bool csg_carrier_find_met(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                          struct csg_face *face);
 
 /* The carrier that the plane, or the leaf's quadric, lies on: of all that are within the tolerance
  * the first, which does not depend on how they are looked for; false: there is none. */

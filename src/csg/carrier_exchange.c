@@ -37,8 +37,7 @@ static bool take_out(struct csg_carrier_change *change, uint32_t leaf)
     const struct csg_shape *shape = shape_before(change, leaf);
     for (uint32_t i = begin; i < end; i++) {
         if (old->faces[i].is_other)
-            csg_plane_table_remove(&change->builder->planes, change->carriers->planes,
-                                   &shape->planes[i - begin]);
+            csg_plane_table_remove(&change->builder->others, &shape->planes[i - begin]);
         if (!leave(change, CSG_PLANE, leaf, &old->faces[i]))
             return false;
     }
@@ -51,8 +50,7 @@ static bool take_out(struct csg_carrier_change *change, uint32_t leaf)
 static bool enter_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
 {
     struct csg_face there;
-    if (!csg_plane_table_find(&change->builder->planes, change->carriers->planes,
-                              csg_plane_of(change, rank), &there))
+    if (!csg_carrier_find_met(change->builder, csg_plane_of(change, rank), &there))
         return true;
     const bool is_first = csg_rank_compare(csg_rank_of(change, CSG_PLANE, there.carrier), rank) > 0;
     return !(is_first || there.is_other) || csg_carrier_affect(change, CSG_PLANE, there.carrier);

@@ -84,6 +84,23 @@ static struct csg_plane turned_plane(const struct csg_plane *plane, const struct
     return (struct csg_plane){other->normal, s * (plane->offset - csg_dot(turn, extent->center))};
 }
 
+bool csg_carrier_find_met(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
+                          struct csg_face *face)
+{
+    struct csg_index_probe probe;
+    csg_index_probe_parallel(&builder->index, plane, &probe);
+    for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
+        const struct csg_plane *carrier = &builder->carriers->planes[i];
+        const double s = alignment(plane, carrier);
+        if (plane->normal.x == s * carrier->normal.x && plane->normal.y == s * carrier->normal.y &&
+            plane->normal.z == s * carrier->normal.z && plane->offset == s * carrier->offset) {
+            *face = (struct csg_face){.carrier = i, .flipped = s < 0};
+            return true;
+        }
+    }
+    return csg_plane_table_find(&builder->others, plane, face);
+}
+
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,
                             const struct csg_plane *plane, const struct csg_leaf_extent *extent,
                             const struct csg_rank *rank, struct csg_face *face)

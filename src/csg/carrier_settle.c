@@ -69,8 +69,7 @@ static void take_face(struct csg_carrier_change *change, const struct csg_rank *
                       struct csg_face *face)
 {
     if (face->is_other)
-        csg_plane_table_remove(&change->builder->planes, change->carriers->planes,
-                               csg_plane_of(change, rank));
+        csg_plane_table_remove(&change->builder->others, csg_plane_of(change, rank));
     face->carrier = CSG_NO_CARRIER;
 }
 
@@ -103,16 +102,13 @@ static bool remove_carrier(struct csg_carrier_change *change, enum csg_face_kind
                            uint32_t carrier)
 {
     struct csg_carrier_builder *builder = change->builder;
-    const struct csg_plane *planes = change->carriers->planes;
     builder->lists[kind].uses.data[carrier] = 0;
     if (carrier < change->work[kind].num_marks)
         change->work[kind].marks[carrier] = 0; /* another one may get its number */
-    if (kind == CSG_QUADRIC) {
+    if (kind == CSG_QUADRIC)
         csg_index_remove_quadric(&builder->index, carrier);
-    } else {
-        csg_index_remove_plane(&builder->index, &planes[carrier], carrier);
-        csg_plane_table_remove(&builder->planes, planes, &planes[carrier]);
-    }
+    else
+        csg_index_remove_plane(&builder->index, &change->carriers->planes[carrier], carrier);
     return csg_array_push(&builder->lists[kind].free, carrier);
 }
 

@@ -7,8 +7,8 @@
 void csg_plane_table_finish(struct csg_plane_table *table)
 {
     free(table->slots);
-    free(table->others.data);
-    free(table->free_others.data);
+    free(table->planes.data);
+    free(table->free.data);
     *table = (struct csg_plane_table){0};
 }
 
@@ -44,66 +44,45 @@ static size_t hash_of(const struct csg_plane *plane)
     return (size_t)hash;
 }
 
-static bool is_other(const struct csg_plane_slot *slot)
-{
-    return slot->place >= CSG_PLANE_OTHER;
-}
-
-/* The turned plane of a slot that is not free; its face is that of the plane so turned. */
-static struct csg_plane plane_in(const struct csg_plane_table *table,
-                                 const struct csg_plane *planes, const struct csg_plane_slot *slot,
-                                 struct csg_face *face)
-{
-    if (is_other(slot)) {
-        const struct csg_other_plane *other = &table->others.data[slot->place - CSG_PLANE_OTHER];
-        *face = other->face;
-        face->is_other = true;
-        return other->plane;
-    }
-    struct csg_plane plane = planes[slot->place - 1];
-    const bool is_turned = turn(&plane);
-    *face = (struct csg_face){.carrier = slot->place - 1, .flipped = is_turned};
-    return plane;
-}
-
 static size_t place_of(const struct csg_plane_table *table, size_t hash)
 {
     return (hash >> 32 ^ hash) & (table->room - 1);
 }
 
+static const struct csg_plane *plane_in(const struct csg_plane_table *table,
+                                        const struct csg_plane_slot *slot)
+{
+    return &table->planes.data[slot->place - 1].plane;
+}
+
 /* Where the turned plane is, or would be: there is always a free slot. */
 static struct csg_plane_slot *slot_of(const struct csg_plane_table *table,
-                                      const struct csg_plane *planes, const struct csg_plane *plane,
-                                      struct csg_face *face)
+                                      const struct csg_plane *plane)
 {
     const size_t hash = hash_of(plane);
     const uint32_t tag = (uint32_t)hash;
     for (size_t i = place_of(table, hash);; i = (i + 1) & (table->room - 1)) {
         struct csg_plane_slot *slot = &table->slots[i];
-        if (slot->place == 0)
-            return slot;
-        if (slot->tag != tag)
-            continue;
-        const struct csg_plane there = plane_in(table, planes, slot, face);
-        if (is_same(&there, plane))
+        if (slot->place == 0 || (slot->tag == tag && is_same(plane_in(table, slot), plane)))
             return slot;
     }
 }
 
-bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *planes,
-                          const struct csg_plane *plane, struct csg_face *face)
+bool csg_plane_table_find(const struct csg_plane_table *table, const struct csg_plane *plane,
+                          struct csg_face *face)
 {
     struct csg_plane turned = *plane;
-    struct csg_face there;
     const bool is_turned = turn(&turned);
-    if (!table->room || slot_of(table, planes, &turned, &there)->place == 0)
+    const struct csg_plane_slot *slot = table->room ? slot_of(table, &turned) : NULL;
+    if (!slot || slot->place == 0)
         return false;
-    *face = (struct csg_face){there.carrier, there.flipped != is_turned, there.is_other};
+    *face = table->planes.data[slot->place - 1].face;
+    face->flipped = face->flipped != is_turned;
     return true;
 }
 
 /* The slots of different planes; which plane is asked again. */
-static bool grow(struct csg_plane_table *table, const struct csg_plane *planes)
+static bool grow(struct csg_plane_table *table)
 {
     struct csg_plane_table old = *table;
     table->room = old.room ? 2 * old.room : 64;
@@ -112,36 +91,20 @@ static bool grow(struct csg_plane_table *table, const struct csg_plane *planes)
         *table = old;
         return false;
     }
-    for (size_t i = 0; i < old.room; i++) {
-        struct csg_face face;
-        if (old.slots[i].place == 0)
-            continue;
-        const struct csg_plane plane = plane_in(table, planes, &old.slots[i], &face);
-        size_t to = place_of(table, hash_of(&plane));
-        while (table->slots[to].place)
-            to = (to + 1) & (table->room - 1);
-        table->slots[to] = old.slots[i];
-    }
+    for (size_t i = 0; i < old.room; i++)
+        if (old.slots[i].place != 0)
+            *slot_of(table, plane_in(table, &old.slots[i])) = old.slots[i];
     free(old.slots);
     return true;
 }
 
-/* The plane that one of the slots holds. */
-static struct csg_plane plane_at(const struct csg_plane_table *table,
-                                 const struct csg_plane *planes, size_t slot)
-{
-    struct csg_face face;
-    return plane_in(table, planes, &table->slots[slot], &face);
-}
-
 /* What stands behind a slot that becomes free moves up, where it is looked for from there or
  * before (Knuth, TAOCP 6.4, algorithm R). */
-static void close_gap(struct csg_plane_table *table, const struct csg_plane *planes, size_t gap)
+static void close_gap(struct csg_plane_table *table, size_t gap)
 {
     const size_t mask = table->room - 1;
     for (size_t i = (gap + 1) & mask; table->slots[i].place != 0; i = (i + 1) & mask) {
-        const struct csg_plane plane = plane_at(table, planes, i);
-        const size_t wanted = place_of(table, hash_of(&plane));
+        const size_t wanted = place_of(table, hash_of(plane_in(table, &table->slots[i])));
         if (((i - wanted) & mask) < ((i - gap) & mask))
             continue;
         table->slots[gap] = table->slots[i];
@@ -150,51 +113,41 @@ static void close_gap(struct csg_plane_table *table, const struct csg_plane *pla
     table->slots[gap] = (struct csg_plane_slot){0};
 }
 
-void csg_plane_table_remove(struct csg_plane_table *table, const struct csg_plane *planes,
-                            const struct csg_plane *plane)
+void csg_plane_table_remove(struct csg_plane_table *table, const struct csg_plane *plane)
 {
     struct csg_plane turned = *plane;
-    struct csg_face face;
     turn(&turned);
-    struct csg_plane_slot *slot = table->room ? slot_of(table, planes, &turned, &face) : NULL;
+    struct csg_plane_slot *slot = table->room ? slot_of(table, &turned) : NULL;
     if (!slot || slot->place == 0)
         return;
     /* Without memory for that the place is lost until the table ends. */
-    if (is_other(slot))
-        (void)!csg_array_push(&table->free_others, slot->place - CSG_PLANE_OTHER);
+    (void)!csg_array_push(&table->free, slot->place);
     table->num--;
-    close_gap(table, planes, (size_t)(slot - table->slots));
+    close_gap(table, (size_t)(slot - table->slots));
 }
 
-static bool add_other(struct csg_plane_table *table, const struct csg_other_plane *other,
-                      uint32_t *place)
+static bool put(struct csg_plane_table *table, const struct csg_other_plane *other, uint32_t *place)
 {
-    if (table->free_others.num == 0) {
-        *place = CSG_PLANE_OTHER + (uint32_t)table->others.num;
-        return csg_array_push(&table->others, *other);
+    if (table->free.num == 0) {
+        *place = (uint32_t)table->planes.num + 1;
+        return csg_array_push(&table->planes, *other);
     }
-    const uint32_t free_place = table->free_others.data[--table->free_others.num];
-    table->others.data[free_place] = *other;
-    *place = CSG_PLANE_OTHER + free_place;
+    *place = table->free.data[--table->free.num];
+    table->planes.data[*place - 1] = *other;
     return true;
 }
 
-bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *planes,
-                         const struct csg_plane *plane, const struct csg_face *face)
+bool csg_plane_table_add(struct csg_plane_table *table, const struct csg_plane *plane,
+                         const struct csg_face *face)
 {
-    struct csg_plane turned = *plane, own = planes[face->carrier];
-    struct csg_face there;
-    const bool is_turned = turn(&turned);
-    if (2 * table->num >= table->room && !grow(table, planes))
+    struct csg_other_plane other = {*plane, *face};
+    if (2 * table->num >= table->room && !grow(table))
         return false;
-    struct csg_plane_slot *slot = slot_of(table, planes, &turned, &there);
-    turn(&own);
-    slot->tag = (uint32_t)hash_of(&turned);
-    slot->place = face->carrier + 1;
+    other.face.flipped = turn(&other.plane) != face->flipped;
+    uint32_t place;
+    if (!put(table, &other, &place))
+        return false;
+    *slot_of(table, &other.plane) = (struct csg_plane_slot){(uint32_t)hash_of(&other.plane), place};
     table->num++;
-    if (is_same(&own, &turned) && slot->place < CSG_PLANE_OTHER)
-        return true;
-    const struct csg_other_plane other = {
-        turned, {.carrier = face->carrier, .flipped = face->flipped != is_turned}};
-    return add_other(table, &other, &slot->place);
+    return true;
 }
