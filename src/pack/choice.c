@@ -74,6 +74,15 @@ static bool find_spared(const struct csg_terms *terms, const struct csg_object *
     return true;
 }
 
+/* The leaves that are in no stack: cells know no stacks, and take many times as long for them. */
+static size_t count_loose(const struct csg_terms *terms)
+{
+    size_t num = terms->leaves.num - terms->stacks.list.num;
+    for (size_t i = 0; i < terms->stacks.rings.num; i++)
+        num -= terms->stacks.rings.data[i].inner != CSG_NO_LEAF ? 2 : 1;
+    return num;
+}
+
 bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
                       const struct csg_rect *rect, struct csg_draw *draw,
                       const struct csg_cells **cells)
@@ -81,7 +90,7 @@ bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *ob
     const enum csg_cells_use use = terms->params->cells;
     double spared = INFINITY;
     *cells = NULL;
-    const bool is_small = use == CSG_CELLS_WHERE_BETTER && terms->leaves.num < MIN_CELL_LEAVES;
+    const bool is_small = use == CSG_CELLS_WHERE_BETTER && count_loose(terms) < MIN_CELL_LEAVES;
     if (use == CSG_CELLS_NEVER || is_small || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
         draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
         return true;

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "csg/stack.h"
 #include "plane/prism.h"
 #include "solids/facets.h"
 
@@ -24,7 +25,8 @@ struct lathe {
     const struct csg_profile *profile;
     const struct csg_turn *turn;
     double rounding;
-    double flip; /* degrees: 180 for a profile left of the axis */
+    double flip;            /* degrees: 180 for a profile left of the axis */
+    struct csg_box written; /* of all sectors at radius 1 */
     CSG_ARRAY(struct sector) sectors;
     CSG_ARRAY(struct trapezoid) trapezoids;
 };
@@ -210,7 +212,7 @@ static bool add_frustum(struct lathe *lathe, const struct sector *sector,
     const struct csg_lift lift = {radius->z0, radius->s0 / largest, radius->z1,
                                   radius->s1 / largest};
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
-    const struct csg_box section = sector_box(sector, 1), written = written_box(sector, 1);
+    const struct csg_box section = sector_box(sector, 1);
     bool ok;
     if (lathe->turn->facetted) {
         shape.convex = shape.facetted = true;
@@ -227,7 +229,7 @@ static bool add_frustum(struct lathe *lathe, const struct sector *sector,
         return false;
     }
     shape.bounds = csg_lift_box(radius, &section);
-    shape.written = csg_lift_box(radius, &written);
+    shape.written = csg_lift_box(radius, &lathe->written);
     return csg_part_add(lathe->part, &shape, negated);
 }
 
@@ -258,15 +260,75 @@ static bool add_ring(struct lathe *lathe, const struct sector *sector,
     return true;
 }
 
-static bool add_rings(struct lathe *lathe)
+static bool add_sector(struct lathe *lathe, const struct sector *sector)
+{
+    bool ok = true;
+    for (size_t i = 0; i < lathe->trapezoids.num && ok && !lathe->part->is_too_large; i++)
+        ok = add_ring(lathe, sector, &lathe->trapezoids.data[i]);
+    return ok;
+}
+
+static bool add_sectors(struct lathe *lathe)
 {
     bool ok = csg_part_open(lathe->part, false);
-    for (size_t i = 0; i < lathe->sectors.num; i++)
-        for (size_t j = 0; j < lathe->trapezoids.num && ok && !lathe->part->is_too_large; j++)
-            ok = add_ring(lathe, &lathe->sectors.data[i], &lathe->trapezoids.data[j]);
+    for (size_t i = 0; i < lathe->sectors.num && ok; i++) {
+        lathe->written = written_box(&lathe->sectors.data[i], 1);
+        ok = add_sector(lathe, &lathe->sectors.data[i]);
+    }
     if (ok)
         csg_part_close(lathe->part);
     return ok;
+}
+
+/* The planes of a sector alone. Its box is that of what it cuts: outside of it there are no rings,
+* so that nobody asks. */
+static bool add_sector_planes(struct lathe *lathe, const struct sector *sector, bool negated)
+{
+    const struct csg_profile *profile = lathe->profile;
+    const double radius = fmax(profile->hi, -profile->lo);
+    const struct csg_sweep *sweep = &profile->sweep;
+    const struct csg_lift all = {sweep->levels.data[0], radius,
+                                 sweep->levels.data[sweep->levels.num - 1], radius};
+    const struct csg_box section = sector_box(sector, 1);
+    struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
+    shape.convex = true;
+    shape.bounds = csg_lift_box(&all, &section);
+    shape.written = csg_box_empty;
+    if (add_wedge(&shape, sector))
+        return csg_part_add(lathe->part, &shape, negated);
+    csg_shape_finish(&shape);
+    return false;
+}
+
+/* The rings of the whole turn, which become one leaf (csg/stack.h), cut by at most a half turn. */
+static bool add_cut_turn(struct lathe *lathe)
+{
+    const struct sector first = lathe->sectors.data[0];
+    const struct sector last = lathe->sectors.data[lathe->sectors.num - 1];
+    const struct sector whole = {first.from, first.from + 360, true, first.num};
+    const struct sector rest = {last.to, first.from + 360, false, 1};
+    const bool is_large = lathe->sectors.num > 1;
+    lathe->written = csg_box_empty;
+    for (size_t i = 0; i < lathe->sectors.num; i++) {
+        const struct csg_box box = written_box(&lathe->sectors.data[i], 1);
+        lathe->written = csg_box_union(&lathe->written, &box);
+    }
+    if (!csg_part_open(lathe->part, true) || !csg_part_open(lathe->part, false) ||
+        !add_sector(lathe, &whole))
+        return false;
+    csg_part_close(lathe->part);
+    if (!add_sector_planes(lathe, is_large ? &rest : &first, is_large))
+        return false;
+    csg_part_close(lathe->part);
+    return true;
+}
+
+static bool add_turn(struct lathe *lathe)
+{
+    const bool is_cut = lathe->sectors.num > 0 && !lathe->sectors.data[0].all_round;
+    return is_cut && !lathe->turn->facetted && lathe->trapezoids.num >= CSG_STACK_MIN_RINGS
+               ? add_cut_turn(lathe)
+               : add_sectors(lathe);
 }
 
 bool csg_revolve(struct csg_part *part, const struct csg_profile *profile,
@@ -277,7 +339,7 @@ bool csg_revolve(struct csg_part *part, const struct csg_profile *profile,
                           .turn = turn,
                           .rounding = rounding,
                           .flip = profile->hi > profile->snap ? 0 : 180};
-    const bool ok = find_trapezoids(&lathe) && find_sectors(&lathe) && add_rings(&lathe);
+    const bool ok = find_trapezoids(&lathe) && find_sectors(&lathe) && add_turn(&lathe);
     free(lathe.sectors.data);
     free(lathe.trapezoids.data);
     return ok;
