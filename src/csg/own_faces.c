@@ -2,6 +2,7 @@
 #include "csg/own_faces.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "csg/carrier_builder.h"
 
@@ -30,20 +31,38 @@ static void fill_simple(struct csg_surface *surface)
                               : (struct csg_own_face){i, false};
 }
 
+/* Most faces of large surfaces: nobody needs to look for what they lie upon. */
+static bool find_loners(struct csg_carrier_builder *builder, const struct csg_surface *surface)
+{
+    const size_t num = surface->planes.num;
+    uint8_t *near = malloc(num + 1);
+    uint32_t face_begin[2] = {0, (uint32_t)num};
+    if (!near)
+        return false;
+    memset(near, 1, num);
+    builder->remote.near = &near;
+    builder->carriers->face_begin = face_begin;
+    const bool ok = csg_loners_find(&builder->loners, builder);
+    builder->carriers->face_begin = NULL;
+    builder->remote.near = NULL;
+    free(near);
+    return ok;
+}
+
 static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *builder,
                       const struct csg_shape *shape)
 {
     uint32_t *ranked = csg_carrier_rank_faces(surface->extents, surface->planes.num);
     uint32_t *firsts = malloc((surface->planes.num + 1) * sizeof *firsts); /* by carrier */
-    bool ok = ranked && firsts && csg_carrier_start_index(builder);
+    bool ok = ranked && firsts && csg_carrier_start_index(builder) && find_loners(builder, surface);
     for (size_t i = 0; i < surface->planes.num && ok; i++) {
         const uint32_t plane = ranked[i];
         const struct csg_leaf_extent extent =
             csg_carrier_face_extent(&surface->extents[plane], shape->rounding);
         const size_t num = builder->carriers->num_planes;
         struct csg_face face;
-        ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL, false,
-                                      &face);
+        ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL,
+                                      csg_is_lone_plane(builder, plane), &face);
         if (ok && builder->carriers->num_planes > num)
             firsts[face.carrier] = plane;
         if (ok)
@@ -61,7 +80,7 @@ static bool fill_compared(struct csg_surface *surface, const struct csg_box *box
     struct csg_leaf leaf = {
         .shape = {.surface = surface, .frame = csg_map_identity, .rounding = surface->rounding},
         .box = *box};
-    const struct csgcast_scene scene = {.leaves = &leaf, .num_leaves = 1};
+    const struct csgcast_scene scene = {.leaves = &leaf, .num_leaves = 1, .num_threads = 1};
     struct csg_carrier_builder builder = {
         .scene = &scene, .wanted = &wanted, .carriers = calloc(1, sizeof *builder.carriers)};
     const bool ok = builder.carriers && fill_from(surface, &builder, &leaf.shape);
