@@ -118,13 +118,6 @@ void csg_box_extend(struct csg_box *box, struct csg_vec3 p)
     *box = csg_box_union(box, &point);
 }
 
-struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b)
-{
-    return (struct csg_box){
-        {csg_least(a->lo.x, b->lo.x), csg_least(a->lo.y, b->lo.y), csg_least(a->lo.z, b->lo.z)},
-        {csg_most(a->hi.x, b->hi.x), csg_most(a->hi.y, b->hi.y), csg_most(a->hi.z, b->hi.z)}};
-}
-
 struct csg_box csg_box_grown(const struct csg_box *box, double by)
 {
     const struct csg_vec3 d = csg_vec3(by, by, by);

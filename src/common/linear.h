@@ -103,6 +103,13 @@ static inline double csg_most(double a, double b)
     return b > a ? b : a;
 }
 
+static inline struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b)
+{
+    return (struct csg_box){
+        {csg_least(a->lo.x, b->lo.x), csg_least(a->lo.y, b->lo.y), csg_least(a->lo.z, b->lo.z)},
+        {csg_most(a->hi.x, b->hi.x), csg_most(a->hi.y, b->hi.y), csg_most(a->hi.z, b->hi.z)}};
+}
+
 /* Whether two numbers are the same but for the rounding of what they were computed from: within
  * four units of the last place. 0.1 + 0.2 is 0.3. */
 static inline bool csg_nearly(double a, double b)
@@ -111,7 +118,6 @@ static inline bool csg_nearly(double a, double b)
 }
 
 void csg_box_extend(struct csg_box *box, struct csg_vec3 p);
-struct csg_box csg_box_union(const struct csg_box *a, const struct csg_box *b);
 
 static inline struct csg_box csg_box_intersection(const struct csg_box *a, const struct csg_box *b)
 {
