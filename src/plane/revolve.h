@@ -13,6 +13,12 @@ struct csg_turn {
     bool facetted;       /* stay flat */
 };
 
+/* Half a turn in one segment lies in a plane. */
+static inline bool csg_turn_is_flat(const struct csg_turn *turn)
+{
+    return turn->facetted && fabs(turn->angle) == 180.0 * turn->num;
+}
+
 /* What the profile covers: lo > hi when it is empty. x closer to 0 than snap counts as 0. */
 struct csg_profile {
     struct csg_sweep sweep;

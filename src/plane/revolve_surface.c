@@ -100,6 +100,17 @@ static bool add_ends(struct turner *turner)
     return ok;
 }
 
+/* Half a turn in one segment is flat, as OpenSCAD's mesh of it. */
+static bool fill_flat(struct csg_shape *shape, const struct csg_mesh *mesh,
+                      const struct csg_mesh_gaps *gaps)
+{
+    struct csg_mesh films = {0};
+    const bool ok = csg_mesh_films(mesh, gaps, &films) &&
+                    (films.faces.num == 0 || csg_mesh_to_shape(&films, true, shape));
+    csg_mesh_finish(&films);
+    return ok;
+}
+
 static bool fill(struct turner *turner, struct csg_shape *shape, double rounding)
 {
     struct csg_mesh_gaps gaps;
@@ -110,7 +121,8 @@ static bool fill(struct turner *turner, struct csg_shape *shape, double rounding
         return false;
     if (gaps.num || turner->mesh->faces.num == 0)
         return true;
-    const bool ok = csg_mesh_to_shape(turner->mesh, false, shape);
+    const bool ok = csg_turn_is_flat(turner->turn) ? fill_flat(shape, turner->mesh, &gaps)
+                                                   : csg_mesh_to_shape(turner->mesh, false, shape);
     shape->facetted = ok;
     return ok;
 }

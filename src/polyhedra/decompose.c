@@ -10,8 +10,6 @@
 #include "polyhedra/cell.h"
 #include "polyhedra/mesh.h"
 
-/* What is nearer to a plane than this share of the largest coordinate is on it. */
-#define ON_PLANE 1e-9
 
 /* Planes that are tried for a cut. */
 enum { max_candidates = 12 };
@@ -274,7 +272,7 @@ static bool cut_all(struct bsp *bsp)
 enum csg_mesh_result csg_mesh_decompose(const struct csg_mesh *mesh, size_t max_faces,
                                         size_t max_planes, struct csg_part *part)
 {
-    const double near = ON_PLANE * mesh->size + 2 * mesh->rounding;
+    const double near = CSG_MESH_ON_PLANE * mesh->size + 2 * mesh->rounding;
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = mesh->rounding};
     bool out_of_memory = false;
     if ((double)mesh->faces.num * (double)mesh->corners.num > MAX_CONVEX_TESTS)

@@ -43,14 +43,23 @@ bool csg_mesh_is_bent(const struct csg_mesh *mesh);
 bool csg_mesh_plane(const struct csg_mesh *mesh, const struct csg_mesh_face *face,
                     struct csg_plane *plane);
 
+/* Corners nearer to a plane than this share of the largest coordinate lie on it. */
+#define CSG_MESH_ON_PLANE 1e-9
+
 /* What keeps a mesh from being closed. */
 struct csg_mesh_gaps {
     size_t num;         /* edges that do not belong to faces in opposite directions, pairwise */
     uint32_t points[2]; /* the ends of one of them */
+    bool is_folded;     /* more than two faces meet at an edge, or two at two edges of a corner */
 };
 
 /* Turns faces over until neighbours agree on which side is out. false: out of memory. */
 bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps);
+
+/* Adds to films, which is zeroed, the faces of a closed mesh that bound no volume, one for each two
+ * that take each other back. false: out of memory. */
+bool csg_mesh_films(const struct csg_mesh *mesh, const struct csg_mesh_gaps *gaps,
+                    struct csg_mesh *films);
 
 /* Times that the surface goes round p. */
 double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);

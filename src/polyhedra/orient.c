@@ -161,6 +161,14 @@ static bool turn_faces(struct orient *orient)
     return true;
 }
 
+/* Whether faces may lie upon each other at the edges [i, j), which have the same ends. */
+static bool is_folded(const struct orient *orient, uint32_t i, uint32_t j, uint32_t begin)
+{
+    const struct edge *edge = &orient->edges[i];
+    return j > i + 2 || (j == i + 2 && i >= begin + 2 && edge[0].face == edge[-2].face &&
+                         edge[1].face == edge[-1].face);
+}
+
 static void count_gaps(const struct orient *orient, struct csg_mesh_gaps *gaps)
 {
     *gaps = (struct csg_mesh_gaps){0};
@@ -168,6 +176,7 @@ static void count_gaps(const struct orient *orient, struct csg_mesh_gaps *gaps)
         for (uint32_t i = orient->begin[low], j; i < orient->begin[low + 1]; i = j) {
             int sum = 0;
             j = run_end(orient, i, orient->begin[low + 1]);
+            gaps->is_folded |= is_folded(orient, i, j, orient->begin[low]);
             for (uint32_t k = i; k < j; k++) {
                 const struct edge *edge = &orient->edges[k];
                 sum += orient->links[edge->face].size ? -edge->direction : edge->direction;

@@ -103,9 +103,8 @@ static bool compound(struct csg_walk *walk, uint32_t node, const struct csg_args
                      bool in_boolean, struct csg_part *part)
 {
     struct csg_mesh mesh = {0};
-    (void)in_boolean;
     const bool ok = (copy_mesh(mesh_of(walk->builder, node), &mesh) || csg_log_memory(args->log)) &&
-                    csg_polyhedron_add(walk, node, &mesh, part);
+                    csg_polyhedron_add(walk, node, in_boolean, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }

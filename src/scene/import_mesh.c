@@ -16,6 +16,7 @@
 struct source {
     struct csg_walk *walk;
     uint32_t node;
+    bool in_boolean;
     const char *name;
     struct csg_bytes bytes;
     struct csg_mesh_list list; /* what was read of it */
@@ -113,7 +114,7 @@ static bool add_meshes(const struct source *source, struct csg_part *part)
     for (size_t i = 0; i < source->list.meshes.num && ok; i++) {
         struct csg_mesh *mesh = &source->list.meshes.data[i];
         ok = csg_polyhedron_clean(source->walk, source->node, false, mesh) &&
-             csg_polyhedron_add(source->walk, source->node, mesh, part);
+             csg_polyhedron_add(source->walk, source->node, source->in_boolean, mesh, part);
     }
     if (is_union && ok)
         csg_part_close(part);
@@ -130,8 +131,7 @@ static bool read_file(struct source *source)
 bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                          bool in_boolean, struct csg_part *part)
 {
-    struct source source = {.walk = walk, .node = node};
-    (void)in_boolean;
+    struct source source = {.walk = walk, .node = node, .in_boolean = in_boolean};
     bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
     if (ok && source.name)
         ok = read_file(&source) && add_meshes(&source, part);

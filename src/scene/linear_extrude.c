@@ -124,7 +124,7 @@ static bool twist(struct csg_walk *walk, uint32_t node, const struct extrusion *
     if (result == CSG_SWEEP_DONE)
         result = csg_twist_fill(&mesh, drawing, &twist);
     part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
-    const bool ok = result == CSG_SWEEP_DONE ? csg_polyhedron_add(walk, node, &mesh, part)
+    const bool ok = result == CSG_SWEEP_DONE ? csg_polyhedron_add(walk, node, true, &mesh, part)
                                              : result == CSG_SWEEP_TOO_LARGE ||
                                                    csg_log_memory(&walk->builder->report->log);
     for (size_t i = 0; i < part->shapes.num; i++)

@@ -127,11 +127,42 @@ static bool add_points(const struct csg_mesh *mesh, struct csg_part *part)
            (csg_mesh_to_points(mesh, &shape) && csg_part_add(part, &shape, false));
 }
 
-bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *mesh,
-                        struct csg_part *part)
+/* The solid that the mesh bounds. */
+static bool add_solid(struct csg_walk *walk, const struct csg_mesh *mesh,
+                      const struct csg_mesh_gaps *gaps, struct csg_part *part)
+{
+    enum csg_mesh_result result = CSG_MESH_TOO_LARGE;
+    const bool is_inner = walk->depth > 0;
+    if (gaps->num == 0 || is_inner)
+        result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
+                                    is_inner ? SIZE_MAX : max_planes, part);
+    if (result == CSG_MESH_TOO_LARGE)
+        result = add_surface(mesh, gaps->num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
+    return result == CSG_MESH_DONE;
+}
+
+/* Booleans are regularised and leave nothing of a face without volume; what meets no other solid is
+ * in OpenSCAD's mesh as it was written. */
+static bool add_all(struct csg_walk *walk, const struct csg_mesh *mesh,
+                    const struct csg_mesh_gaps *gaps, struct csg_part *part)
+{
+    struct csg_mesh films = {0};
+    bool ok = csg_mesh_films(mesh, gaps, &films);
+    if (ok && films.faces.num == 0) {
+        ok = add_solid(walk, mesh, gaps, part);
+    } else if (ok) {
+        ok = csg_part_open(part, false) && add_solid(walk, mesh, gaps, part) &&
+             add_surface(&films, true, part);
+        csg_part_close(part);
+    }
+    csg_mesh_finish(&films);
+    return ok;
+}
+
+bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                        struct csg_mesh *mesh, struct csg_part *part)
 {
     struct csg_mesh_gaps gaps;
-    enum csg_mesh_result result = CSG_MESH_TOO_LARGE;
     if (walk->points_only)
         return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
     if (mesh->faces.num == 0)
@@ -142,23 +173,18 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, struct csg_mesh *m
         warn_of_gaps(walk, node, mesh, &gaps);
     if (mesh->num_guessed)
         warn_of_guesses(walk, node, mesh->num_guessed);
-    const bool is_inner = walk->depth > 0;
-    if (gaps.num == 0 || is_inner)
-        result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
-                                    is_inner ? SIZE_MAX : max_planes, part);
-    if (result == CSG_MESH_TOO_LARGE)
-        result = add_surface(mesh, gaps.num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
-    return result == CSG_MESH_DONE || csg_log_memory(&walk->builder->report->log);
+    const bool has_films = !in_boolean && walk->depth == 0;
+    return (has_films ? add_all(walk, mesh, &gaps, part) : add_solid(walk, mesh, &gaps, part)) ||
+           csg_log_memory(&walk->builder->report->log);
 }
 
 bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                              bool in_boolean, struct csg_part *part)
 {
     struct csg_mesh mesh = {0};
-    (void)in_boolean;
     const bool ok = read_mesh(args, walk->points_only, &mesh) &&
                     csg_polyhedron_clean(walk, node, true, &mesh) &&
-                    csg_polyhedron_add(walk, node, &mesh, part);
+                    csg_polyhedron_add(walk, node, in_boolean, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }

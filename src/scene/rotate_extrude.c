@@ -52,7 +52,6 @@ static int count_segments(const struct revolution *revolution, const struct csg_
     return num < max_segments ? (int)num : max_segments;
 }
 
-/* A single segment is what lies between its two ends, on their near side. */
 /* Flat segments of a profile with many sides, as one surface; *taken: that is there. */
 static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn,
                         const struct csg_profile *profile, double rounding, struct csg_part *part,
@@ -69,7 +68,7 @@ static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn
 
 static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
                     struct csg_drawing *drawing, const struct csg_profile *profile, double rounding,
-                    struct csg_part *part)
+                    bool in_boolean, struct csg_part *part)
 {
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
         csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
@@ -82,12 +81,15 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
         return true;
     revolution->turn.num = count_segments(revolution, profile);
+    /* A single segment is what lies between its two ends, on their near side. */
     if (revolution->turn.facetted && revolution->turn.num == 1 &&
         fabs(revolution->turn.angle) > 180)
         revolution->turn.angle -= copysign(360, revolution->turn.angle);
     bool taken = false;
-    if (revolution->turn.facetted && walk->depth == 0 &&
-        profile->sweep.spans.num >= MIN_SURFACE_SPANS &&
+    const bool is_surface = csg_turn_is_flat(&revolution->turn)
+                                ? !in_boolean
+                                : profile->sweep.spans.num >= MIN_SURFACE_SPANS;
+    if (revolution->turn.facetted && walk->depth == 0 && is_surface &&
         !add_surface(drawing, &revolution->turn, profile, rounding, part, &taken))
         return csg_log_memory(&walk->builder->report->log);
     return taken || csg_revolve(part, profile, &revolution->turn, rounding) ||
@@ -112,7 +114,7 @@ bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const str
         const double rounding = csg_drawing_rounding(&drawing, 0, (uint32_t)drawing.nodes.num);
         part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
         if (result == CSG_SWEEP_DONE)
-            ok = revolve(walk, node, &revolution, &drawing, &profile, rounding, part);
+            ok = revolve(walk, node, &revolution, &drawing, &profile, rounding, in_boolean, part);
         else
             ok = result == CSG_SWEEP_TOO_LARGE || csg_log_memory(&walk->builder->report->log);
     }

@@ -175,7 +175,7 @@ static bool add_heights(struct csg_walk *walk, uint32_t node, const struct csg_h
     relief.x = center ? -((double)relief.columns - 1) / 2 : 0;
     relief.y = center ? -((double)relief.rows - 1) / 2 : 0;
     const bool ok = (add_relief(&relief) || csg_log_memory(&walk->builder->report->log)) &&
-                    csg_polyhedron_add(walk, node, &mesh, part);
+                    csg_polyhedron_add(walk, node, true, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
 }
