@@ -143,9 +143,11 @@ static struct csg_mesh_hit first_hit(const struct embree_caster *caster, double 
     while (i + 1 < num && crossings[i].enters != crossings[i + 1].enters &&
            crossings[i + 1].t - crossings[i].t <= thickness)
         i += 2;
+    const double skin = i > 0 ? crossings[0].t : INFINITY;
     if (i >= num)
-        return (struct csg_mesh_hit){.found = false};
-    return (struct csg_mesh_hit){.found = true, .t = crossings[i].t, .normal = crossings[i].normal};
+        return (struct csg_mesh_hit){.found = false, .skin = skin};
+    return (struct csg_mesh_hit){
+        .found = true, .t = crossings[i].t, .normal = crossings[i].normal, .skin = skin};
 }
 
 /* Embree's own ray starts where the mesh's sphere does: floats are coarse far from the mesh. */
@@ -179,7 +181,7 @@ static struct csg_mesh_hit trace(struct csg_caster *base, const struct csg_mesh_
         .tnear = ray->tnear,
     };
     if (caster->num_triangles == 0)
-        return (struct csg_mesh_hit){.found = false};
+        return (struct csg_mesh_hit){.found = false, .skin = INFINITY};
     const double closest = -csg_dot(query.org, query.dir) / (length * length);
     caster->crossings.num = 0;
     shoot(&query, closest - 1.01 * caster->radius / length);

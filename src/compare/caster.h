@@ -18,6 +18,7 @@ struct csg_mesh_hit {
     bool found;
     double t;
     struct csg_vec3 normal; /* unit, out of the solid */
+    double skin;            /* where two faces lie upon each other before it; infinite: nowhere */
 };
 
 /* Belongs to one thread at a time. */

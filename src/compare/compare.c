@@ -66,6 +66,15 @@ static bool agrees_aside(const struct csg_mesh_view *view,
     return false;
 }
 
+/* Of two faces that lie upon each other a mesh may have what is meant and what rounding left. */
+static bool shows_skin(const struct csg_compare_tolerance *tolerance, const struct pixel *pixel,
+                       const struct csg_mesh_hit *hit)
+{
+    const double allowed =
+        tolerance->absolute > 0 ? tolerance->absolute : tolerance->depth * fabs(hit->skin);
+    return isfinite(pixel->z) && isfinite(hit->skin) && fabs(pixel->z - hit->skin) <= allowed;
+}
+
 static enum csg_verdict judge(const struct csg_mesh_view *view,
                               const struct csg_compare_tolerance *tolerance,
                               const struct pixel *pixel, size_t i, const struct csg_mesh_ray *ray)
@@ -77,6 +86,8 @@ static enum csg_verdict judge(const struct csg_mesh_view *view,
         return shows(pixel->z, hit->found) ? CSG_VERDICT_SAME : CSG_VERDICT_EDGE;
     if (depth_agrees(tolerance, pixel, hit, ray))
         return CSG_VERDICT_SAME;
+    if (shows_skin(tolerance, pixel, hit))
+        return CSG_VERDICT_SKIN;
     if (agrees_aside(view, tolerance, pixel, hit, ray))
         return CSG_VERDICT_THIN;
     return shows(pixel->z, hit->found) ? CSG_VERDICT_DEPTH : CSG_VERDICT_OFF;
@@ -176,14 +187,15 @@ static void compare_pixel(const struct csg_mesh_view *view, const struct csgcast
     const struct csg_mesh_ray ray =
         csg_frustum_ray(&view->frustum, view->width, view->height, pixel.x + 0.5, pixel.y + 0.5);
     const enum csg_verdict verdict = judge(view, tolerance, &pixel, i, &ray);
-    const bool found = view->hits[i].found;
+    const bool found = view->hits[i].found || verdict == CSG_VERDICT_SKIN;
     result->verdicts[i] = (uint8_t)verdict;
     result->num_hits += found;
     result->num_missing += found && !isfinite(pixel.z);
     result->num_extra += !found && isfinite(pixel.z);
     result->num_edges += view->edges[i];
     count(verdict, result);
-    if (found && isfinite(pixel.z) && !view->edges[i] && verdict != CSG_VERDICT_THIN)
+    if (found && isfinite(pixel.z) && !view->edges[i] && verdict != CSG_VERDICT_THIN &&
+        verdict != CSG_VERDICT_SKIN)
         add_samples(view, &pixel, i, &ray, result, samples);
 }
 

@@ -14,6 +14,7 @@ enum csg_verdict {
     CSG_VERDICT_SAME,
     CSG_VERDICT_EDGE,  /* hit against miss, on an edge pixel */
     CSG_VERDICT_THIN,  /* explained by an edge within a fiftieth of a pixel */
+    CSG_VERDICT_SKIN,  /* the nearer of two faces of the mesh that lie upon each other */
     CSG_VERDICT_OFF,   /* hit against miss anywhere else */
     CSG_VERDICT_DEPTH, /* both hit, too far apart */
 };
