@@ -10,7 +10,6 @@
 #include "polyhedra/cell.h"
 #include "polyhedra/mesh.h"
 
-
 /* Planes that are tried for a cut. */
 enum { max_candidates = 12 };
 

@@ -166,17 +166,26 @@ static bool wants_clip(struct reader *reader, size_t num_corners)
     return reader->clips || (num_corners > max_swept_corners && csg_clip_is_there(reader->walk));
 }
 
+/* What OpenSCAD makes without Clipper. */
+static bool is_clean(const struct reader *reader, const struct csg_node_ops *ops, uint32_t draw)
+{
+    const struct csg_draw_node *node = &reader->drawing->nodes.data[draw];
+    if (ops->figure == csg_figure_projection)
+        return node->op == CSG_DRAW_FIGURE &&
+               reader->drawing->figures.data[node->figure].is_outline;
+    return ops->figure == csg_figure_square || ops->figure == csg_figure_circle;
+}
+
 static bool read_figure(struct reader *reader, uint32_t node)
 {
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     const uint32_t draw = (uint32_t)reader->drawing->nodes.num;
     const size_t begin = reader->drawing->points.num;
-    const bool is_clean = ops->figure == csg_figure_square || ops->figure == csg_figure_circle;
     struct csg_args args;
     return csg_walk_args(reader->walk, node, ops->name, ops->parameters, &args) &&
            ops->figure(reader->walk, node, &args,
                        &reader->frames.data[reader->frames.num - 1].space, reader->drawing) &&
-           (is_clean || reader->drawing->nodes.num == draw ||
+           (reader->drawing->nodes.num == draw || is_clean(reader, ops, draw) ||
             !wants_clip(reader, reader->drawing->points.num - begin) ||
             csg_clip_evaluate(reader->walk, reader->drawing, draw));
 }

@@ -185,14 +185,16 @@ static bool project(struct projection *projection, uint32_t node, struct csg_par
     return ok;
 }
 
-/* One outline of all; as written, that is Clipper's. */
+/* One outline of all. As written, that of a shadow is Clipper's, which OpenSCAD projects triangles
+ * with; a section it has by its kernel, without a grid. */
 static bool unite(const struct projection *projection, uint32_t node, uint32_t draw)
 {
     struct csg_walk *walk = projection->walk;
-    if (!projection->has_triangles || walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN)
+    const bool as_written = walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN;
+    if (as_written ? !projection->cut : !projection->has_triangles)
         return true;
     const enum csg_sweep_result result = csg_drawing_evaluate(projection->drawing, draw);
-    if (result == CSG_SWEEP_TOO_LARGE)
+    if (result == CSG_SWEEP_TOO_LARGE && !as_written)
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
     return result != CSG_SWEEP_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
 }
