@@ -5,6 +5,7 @@
  */
 #include "plane/cylinders.h"
 #include "scene/compounds.h"
+#include "scene/hull_film.h"
 #include "scene/parts.h"
 #include "scene/rounded.h"
 #include "scene/sets.h"
@@ -40,6 +41,17 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
     return ok;
 }
 
+static bool add_hull(struct csg_walk *walk, uint32_t node, bool in_boolean,
+                     const struct csg_sets *sets, struct csg_part *part)
+{
+    const struct csg_points *points = &sets->convex.corners;
+    const size_t num = part->shapes.num;
+    if (!csg_sets_add_hull(walk, node, sets, points, part))
+        return false;
+    return in_boolean || walk->depth > 0 || part->shapes.num > num ||
+           csg_hull_film(sets, points, part) || csg_log_memory(&walk->builder->report->log);
+}
+
 bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                        bool in_boolean, struct csg_part *part)
 {
@@ -54,7 +66,7 @@ bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_ar
     bool ok = csg_sets_read(walk, node, node + 1, csg_walk_node(walk, node)->end, in_boolean,
                             CSG_WANT_POINTS, &sets, &is_there);
     if (ok && is_there && sets.convex.corners.points.num > 0)
-        ok = csg_sets_add_hull(walk, node, &sets, &sets.convex.corners, part);
+        ok = add_hull(walk, node, in_boolean, &sets, part);
     csg_sets_finish(&sets);
     return ok;
 }

@@ -20,6 +20,10 @@
     "polyhedron(points = [[0,0,5],[9,0,5],[0,9,5],[0,0,9],[0,0,1]], faces = [[0,1,2], [2,1,0], "   \
     "[0,3,1], [1,3,2], [2,3,0], [0,1,4], [1,2,4], [2,0,4]]);"
 
+/* Corners in a plane but for the last bit of one. */
+#define THIN                                                                                       \
+    "polyhedron(points = [[0,0,5],[9,0,5],[9,9,5],[0,9,5.000000000000001]], faces = [[0,1,2,3]]);"
+
 static void silent(void *user, enum csgcast_log_level level, enum csgcast_message id,
                    const char *text)
 {
@@ -74,6 +78,7 @@ static void test_depths(enum csgcast_backend backend)
     test_depth(backend, pits, -8.9, -8.9, 91.044444f);
     test_depth(backend, cut, 1.1, 1.2, INFINITY);
     test_depth(backend, BOTH_SIDES, 1.1, 1.2, 95);
+    test_depth(backend, "hull() { " THIN " }", 1.1, 1.2, 95);
     test_depth(backend, half, 0.1, -0.2, 100);
     test_depth(backend, half, 0.1, -1.2, INFINITY);
 }
@@ -90,6 +95,9 @@ int main(void)
     test_leaves("difference() { " BOTH_SIDES " sphere(9); }", 0);
     test_leaves("difference() { cube(20); " BOTH_SIDES "}", 1);
     test_leaves("hull() { cube(20); " BOTH_SIDES "}", 1);
+    test_leaves("hull() { " SHEET " }", 0);
+    test_leaves("hull() { " THIN " }", 1);
+    test_leaves("difference() { hull() { " THIN " } sphere(1); }", 0);
     test_leaves(TOUCHING, 3);
     test_leaves("difference() { " TOUCHING " sphere(1); }", 2);
     test_leaves("difference() { cube(20); " SHEET "}", 1);
