@@ -12,7 +12,7 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
 {
     *terms = (struct csg_terms){.frame = frame, .scene = scene, .params = params};
     const size_t room = csg_stacks_room(scene->num_leaves);
-    terms->index = malloc(room * sizeof *terms->index);
+    terms->index = calloc(room, sizeof *terms->index);
     terms->known = malloc(room);
     return terms->index && terms->known;
 }
@@ -215,9 +215,25 @@ static struct csg_rect leaf_rect(const struct csg_terms *terms, const struct csg
     return csg_screen_rect(screen, &shape->frame, &shape->bounds);
 }
 
-/* Makes room for a leaf's terms and attributes. */
-static bool place_leaf(struct csg_terms *terms, const struct csg_node *node)
+/* The terms that a leaf has already; NULL: none. Parts of a distributed object have what cuts them
+ * in common (csg/distribute.h), and a layer that is drawn as one object has them all. */
+static struct csg_leaf_terms *find_placed(const struct csg_terms *terms,
+                                          const struct csg_node *nodes, uint32_t leaf)
 {
+    const uint32_t at = terms->index[leaf];
+    struct csg_leaf_terms *placed = terms->leaves.data + at;
+    return at < terms->leaves.num && nodes[placed->node].leaf == leaf ? placed : NULL;
+}
+
+/* Makes room for a leaf's terms and attributes. */
+static bool place_leaf(struct csg_terms *terms, const struct csg_node *nodes, uint32_t at)
+{
+    const struct csg_node *node = &nodes[at];
+    struct csg_leaf_terms *placed = find_placed(terms, nodes, node->leaf);
+    if (placed) {
+        placed->node = nodes[placed->node].spare ? at : placed->node;
+        return true;
+    }
     const struct csg_carriers *carriers = terms->scene->carriers;
     const struct csg_shape *shape = &terms->scene->leaves[node->leaf].shape;
     const uint32_t num_planes =
@@ -227,8 +243,10 @@ static bool place_leaf(struct csg_terms *terms, const struct csg_node *node)
     const size_t num_texels = num_planes + (shape->has_quadric ? CSG_QUADRIC_TEXELS : 0);
     const size_t block = (terms->frame->texels.num / 4 + 3) / 4;
     const size_t padding = block * 4 - terms->frame->texels.num / 4;
-    struct csg_leaf_terms leaf = {
-        .texels = terms->texels.num / 4, .num_entries = num_planes, .attributes = block};
+    struct csg_leaf_terms leaf = {.node = at,
+                                  .texels = terms->texels.num / 4,
+                                  .num_entries = num_planes,
+                                  .attributes = block};
     if (!csg_frame_add_texels(terms->frame,
                               padding + CSG_ATTRIBUTE_NORMALS + first_face + num_planes) ||
         !csg_array_reserve(&terms->texels, 4 * num_texels) ||
@@ -286,7 +304,7 @@ static void fill_chunk(void *user, size_t chunk)
     const struct csg_node *nodes = filling->terms->scene->trees[object->layer].data;
     const size_t begin = object->begin + CHUNK * chunk;
     for (size_t i = begin; i < begin + CHUNK && i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF)
+        if (nodes[i].op == CSG_LEAF && csg_terms_of(filling->terms, nodes[i].leaf)->node == i)
             fill_leaf(filling->terms, object, &nodes[i], filling->rect, &filling->notes[chunk]);
 }
 
@@ -337,7 +355,7 @@ static bool fill(struct csg_terms *terms, const struct csg_object *object,
     terms->translucent = terms->stiff = false;
     terms->error = 0;
     for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !place_leaf(terms, &nodes[i]))
+        if (nodes[i].op == CSG_LEAF && !place_leaf(terms, nodes, i))
             return false;
     return fill_leaves(terms, object, rect) &&
            (terms->params->textbook || add_stacks(terms, object));

@@ -9,6 +9,7 @@
 #include "pack/surface.h"
 
 struct csg_leaf_terms {
+    uint32_t node; /* of the layer's tree */
     size_t texels; /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
     uint32_t flags;       /* CSG_RECORD_NEGATED, _SURFACE, _BANDS, _QUADRIC, _GAP of the leaf */

@@ -105,19 +105,55 @@ static double front_of(struct csg_tiler *tiler, const struct csg_tree *tree)
     return key;
 }
 
-/* Whether something is known of a leaf. */
+/* What is known by leaf is meant for each place where the leaf stands: parts of distributed objects
+ * have what cuts them in common, and a layer drawn as one object has them all. */
+static bool has_repeats(const struct csg_tiler *tiler)
+{
+    return tiler->draw->object == CSG_WHOLE_LAYER && tiler->terms->scene->is_distributed;
+}
+
+/* No verdict of a leaf. */
+#define NOT_JUDGED 0xff
+
+static void forget_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    for (size_t i = 0; i < tree->num; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            tiler->terms->known[tree->data[i].leaf] = NOT_JUDGED;
+}
+
+/* Judges a leaf that may stand elsewhere, too: what holds at one of the places only is not known,
+ * and its range is not narrowed to one of them. */
+static uint8_t judge_repeated(struct csg_tiler *tiler, uint32_t leaf, struct csg_range context)
+{
+    uint8_t *known = &tiler->terms->known[leaf];
+    const uint8_t here = judge(csg_tiler_range(tiler, leaf), context);
+    *known = *known == NOT_JUDGED || *known == here ? here : CSG_VARIES;
+    return *known;
+}
+
+static uint8_t judge_single(struct csg_tiler *tiler, uint32_t leaf, struct csg_range context)
+{
+    struct csg_leaf_range *range = csg_tiler_range(tiler, leaf);
+    tiler->terms->known[leaf] = judge(range, context);
+    narrow(range, context);
+    return tiler->terms->known[leaf];
+}
+
+/* Whether something may be known of a leaf. */
 static bool judge_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
 {
+    const bool repeats = has_repeats(tiler);
     bool found = false;
     struct csg_range *contexts = tiler->contexts.data;
     contexts[0] = (struct csg_range){-(double)CSG_KEY_MAX, front_of(tiler, tree)};
+    if (repeats)
+        forget_leaves(tiler, tree);
     for (uint32_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF) {
-            struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
-            const uint8_t known = judge(leaf, contexts[i]);
-            tiler->terms->known[node->leaf] = known;
-            narrow(leaf, contexts[i]);
+            const uint8_t known = repeats ? judge_repeated(tiler, node->leaf, contexts[i])
+                                          : judge_single(tiler, node->leaf, contexts[i]);
             found |= known != CSG_VARIES;
             continue;
         }
@@ -161,7 +197,8 @@ static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task,
 {
     fill_ranges(tiler, task, box);
     bool found = judge_leaves(tiler, &task->tree);
-    found |= csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
+    found |= !has_repeats(tiler) &&
+             csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
     if (found && !csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
     task->flat = csg_tiler_is_flat(&task->tree);
