@@ -50,16 +50,15 @@ static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_
     return num < VERY_MANY_PLANES ? PLANES_TILE_SIZE : PLANES_TILE_SIZE / 2;
 }
 
+/* The caller frees the copy, also when memory is out. */
 static bool copy_tree(struct csg_tiler *tiler, const struct csg_tree *tree, struct csg_tree *copy)
 {
     *copy = (struct csg_tree){0};
     if (tiler->spare.num)
         *copy = tiler->spare.data[--tiler->spare.num];
     copy->num = 0;
-    if (!csg_array_reserve(copy, tree->num)) {
-        free(copy->data);
+    if (!csg_array_reserve(copy, tree->num))
         return false;
-    }
     memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
     copy->num = tree->num;
     return true;
