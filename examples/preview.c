@@ -109,9 +109,8 @@ static bool show(struct csgcast_scene *scene, const char *path)
 
 int main(int argc, char **argv)
 {
-    const struct csgcast_scene_params params = {.editable = true};
-    struct csgcast_scene *scene = argc > 1 ? csgcast_scene_load(argv[1], &params)
-                                           : csgcast_scene_parse(text, strlen(text), &params);
+    struct csgcast_scene *scene = argc > 1 ? csgcast_scene_load(argv[1], NULL)
+                                           : csgcast_scene_parse(text, strlen(text), NULL);
     const bool ok =
         scene && csgcast_scene_num_leaves(scene) > 0 && show(scene, argc > 2 ? argv[2] : NULL);
     csgcast_scene_destroy(scene);

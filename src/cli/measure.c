@@ -92,7 +92,7 @@ static struct csg_frame_times stages_of(const struct csgcast_stats *stats)
 static bool draw_first(struct run *run)
 {
     struct csgcast_scene_params params = run->options->scene;
-    params.editable = run->options->edit;
+    params.fixed = !run->options->edit;
     const double begun = csg_clock_ms();
     run->scene = csgcast_scene_load(run->input, &params);
     run->result->load_ms = csg_clock_ms() - begun;

@@ -83,7 +83,6 @@ static bool remake(struct csgcast_scene *scene, const struct csg_before *before)
     memset(next.trees, 0, sizeof next.trees);
     next.info = (struct csgcast_scene_info){.num_dropped = scene->edits->num_dropped,
                                             .num_rounded = scene->info.num_rounded};
-    next.keeps_structure = true;
     if (!copy_trees(&next, scene->edits) || !csg_scene_finish(&next, before)) {
         csg_scene_drop_derived(&next);
         return csg_log_memory(&scene->log);

@@ -137,12 +137,10 @@ void csgcast_scene_destroy(struct csgcast_scene *scene)
 static struct csg_source *keep_source(char *text, size_t size,
                                       const struct csgcast_scene_params *params)
 {
-    struct csgcast_scene_params kept = *params;
-    kept.fixed = params->fixed && !params->editable;
-    if (!kept.fixed)
-        return csg_source_create(text, size, &kept);
+    if (!params->fixed)
+        return csg_source_create(text, size, params);
     free(text);
-    return csg_source_create(NULL, 0, &kept);
+    return csg_source_create(NULL, 0, params);
 }
 
 /* The same as csgcast_scene_parse, but that text is taken over. */
@@ -154,7 +152,7 @@ static struct csgcast_scene *parse_own(char *text, size_t size,
         free(text);
         return NULL;
     }
-    scene->keeps_structure = params->editable;
+    scene->keeps_structure = !params->fixed;
     scene->source = keep_source(text, size, params);
     if (scene->source ? csg_scene_finish(scene, NULL) : csg_log_memory(&scene->log))
         return scene;

@@ -168,8 +168,7 @@ static bool move_leaf(struct csgcast_scene *scene, int round)
 static bool check_edits(struct csgcast_renderer *renderer, const char *name, char *text)
 {
     static struct picture cells, loop;
-    const struct csgcast_scene_params params = {.editable = true};
-    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
     bool ok = scene != NULL;
     for (int round = 0; ok && round < 12; round++) {
         struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = cameras[round % 3]};

@@ -18,16 +18,21 @@ static void count_message(void *user, enum csgcast_log_level level, enum csgcast
     snprintf(bench_last_message, sizeof bench_last_message, "%s", text);
 }
 
-struct csgcast_scene *bench_parse(const char *text, bool editable)
+static struct csgcast_scene *parse(const char *text, bool fixed)
 {
     const struct csgcast_scene_params params = {
-        .name = "model", .editable = editable, .log = count_message};
+        .name = "model", .fixed = fixed, .log = count_message};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
     if (!scene) {
         fprintf(stderr, "%s\n%s", bench_last_message, text);
         exit(1);
     }
     return scene;
+}
+
+struct csgcast_scene *bench_parse(const char *text)
+{
+    return parse(text, true);
 }
 
 void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
@@ -51,13 +56,12 @@ struct csgcast_renderer *bench_create_renderer(const struct bench *bench)
     return renderer;
 }
 
-struct csgcast_scene *bench_begin(struct bench *bench, const char *text, bool announced)
+struct csgcast_scene *bench_begin(struct bench *bench, const char *text)
 {
     csgcast_renderer_destroy(bench->edited);
     bench->edited = bench_create_renderer(bench);
-    bench->announced = announced;
     bench->num_drawn = 0;
-    return bench_parse(text, announced);
+    return parse(text, false);
 }
 
 void bench_draw_edited(struct bench *bench, const struct csgcast_scene *scene,
@@ -67,8 +71,7 @@ void bench_draw_edited(struct bench *bench, const struct csgcast_scene *scene,
     csgcast_renderer_get_stats(bench->edited, &before);
     bench_draw(bench->edited, scene, camera, &bench->got);
     csgcast_renderer_get_stats(bench->edited, &after);
-    CHECK(!bench->announced || bench_forced || bench->num_drawn == 0 ||
-              after.programs == before.programs,
+    CHECK(bench_forced || bench->num_drawn == 0 || after.programs == before.programs,
           "an edit compiled: %zu programs became %zu (%s; numerics %s)\n%.4000s", before.programs,
           after.programs, after.variants, after.numerics, bench->text);
     bench->num_drawn++;
@@ -122,7 +125,7 @@ void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
                    const struct model *model, const char *what, bool with_id)
 {
     model_print(model, bench->text);
-    struct csgcast_scene *fresh = bench_parse(bench->text, false);
+    struct csgcast_scene *fresh = bench_parse(bench->text);
     bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     bench_compare_pictures(bench, what, with_id);

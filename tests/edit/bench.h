@@ -21,8 +21,7 @@ struct picture {
 struct bench {
     enum csgcast_backend backend;
     struct csgcast_renderer *edited, *fresh; /* one each, so that programs can be counted */
-    bool announced;                          /* the edited scene was parsed as editable, */
-    int num_drawn;                           /* ... and so many frames of it have been drawn */
+    int num_drawn;                           /* frames of the edited scene */
     struct picture got, expected;
     char text[MODEL_MAX_TEXT];
 };
@@ -30,15 +29,15 @@ struct bench {
 extern const char *bench_forced; /* variant of the pictures; NULL: none */
 extern char bench_last_message[512];
 
-/* Ends the program where the text is no scene. */
-struct csgcast_scene *bench_parse(const char *text, bool editable);
+/* A fixed scene. Ends the program where the text is none. */
+struct csgcast_scene *bench_parse(const char *text);
 void bench_draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                 const struct csgcast_camera *camera, struct picture *picture);
 
 /* A scene that will be edited, and a renderer of its own for it, which has no program yet. */
-struct csgcast_scene *bench_begin(struct bench *bench, const char *text, bool announced);
+struct csgcast_scene *bench_begin(struct bench *bench, const char *text);
 
-/* A frame of it, into got. Where edits are announced only the first one may compile a program. */
+/* A frame of it, into got. Only the first one may compile a program. */
 void bench_draw_edited(struct bench *bench, const struct csgcast_scene *scene,
                        const struct csgcast_camera *camera);
 struct csgcast_renderer *bench_create_renderer(const struct bench *bench);
@@ -56,7 +55,7 @@ void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
                    const struct model *model, const char *what, bool with_id);
 
 /* Random edits of random scenes (random.c, many.c), and cases by hand (cases.c). */
-void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool editable);
+void check_random(struct bench *bench, uint64_t seed, int max_leaves);
 void check_programs(struct bench *bench, uint64_t seed, int max_leaves);
 void check_series(struct bench *bench, uint64_t seed);
 void check_many(struct bench *bench, uint64_t seed, bool marked);

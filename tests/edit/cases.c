@@ -16,8 +16,7 @@ static void check_empty(struct bench *bench)
     static const char without[] =
         "difference() { cube(10); sphere(0); }\ntranslate([20,0,0]) cube(3);";
     struct csgcast_leaf leaf;
-    struct csgcast_scene *scene = bench_begin(bench, text, true),
-                         *fresh = bench_parse(without, false);
+    struct csgcast_scene *scene = bench_begin(bench, text), *fresh = bench_parse(without);
     const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
@@ -31,7 +30,7 @@ static void check_empty(struct bench *bench)
     CHECK(csgcast_scene_set_matrix(scene, 1, flat), "%s", bench_last_message);
     bench_draw_edited(bench, scene, NULL);
     bench_compare_pictures(bench, "empty by matrix", false);
-    struct csgcast_scene *whole = bench_parse(text, false);
+    struct csgcast_scene *whole = bench_parse(text);
     CHECK(csgcast_scene_get_leaf(scene, 0, &leaf) &&
               csgcast_scene_set_matrix(scene, 1, leaf.matrix),
           "%s", bench_last_message);
@@ -74,7 +73,7 @@ void check_growth(struct bench *bench)
         at += snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "translate([%d, %d, 3]) sphere(%d);",
                        3 * (i % 5) - 5, 4 * (i / 5) - 4, 2 + i % 7);
     snprintf(text + at, MODEL_MAX_TEXT - (size_t)at, "}");
-    struct csgcast_scene *scene = bench_begin(bench, text, true), *fresh = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text), *fresh = bench_parse(text);
     CHECK(csgcast_scene_set_matrix(scene, 0, small), "%s", bench_last_message);
     const size_t programs = draw_large(bench->edited, scene, "straight 1", got);
     CHECK(csgcast_scene_set_matrix(scene, 0, large), "%s", bench_last_message);
@@ -93,7 +92,7 @@ static void check_getters(struct bench *bench)
         "  cylinder(h = 3, /* ) */ r = 1);\n"
         "linear_extrude(height = 2) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);";
     static const double expected[16] = {2, 0, 0, 5, 0, 3, 0, 6, 0, 0, 4, 7, 0, 0, 0, 1};
-    struct csgcast_scene *scene = bench_begin(bench, text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text);
     struct csgcast_leaf leaf, piece;
     CHECK(csgcast_scene_get_leaf(scene, 0, &leaf), "%s", bench_last_message);
     CHECK(memcmp(leaf.matrix, expected, sizeof expected) == 0, "the matrix differs");
@@ -113,8 +112,7 @@ static void check_getters(struct bench *bench)
         "color([1, 0, 0]) multmatrix([[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]) scale([2, 3, 4])\n"
         "  cylinder(h = 3, r = 1);\n"
         "multmatrix([[2,0,0,5],[0,3,0,6],[0,0,4,7],[0,0,0,1]])"
-        "linear_extrude(height = 2) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);",
-        false);
+        "linear_extrude(height = 2) polygon([[0, 0], [4, 0], [1, 1], [0, 4]]);");
     bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
     bench_compare_pictures(bench, "pieces", true);
@@ -136,8 +134,7 @@ static void check_same(struct bench *bench)
         " multmatrix([[0.707107,-0.707107,0,1.23457],[0.707107,0.707107,0,0],[0,0,1,0],[0,0,0,1]])"
         "\n"
         "  multmatrix([[1,0,0,3.33333],[0,1,0,3.33333],[0,0,1,5],[0,0,0,1]]) cube([3,3,5]);\n}";
-    struct csgcast_scene *scene = bench_begin(bench, text, false),
-                         *fresh = bench_parse(text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text), *fresh = bench_parse(text);
     struct csgcast_leaf leaf;
     CHECK(csgcast_scene_get_leaf(scene, 1, &leaf) &&
               csgcast_scene_set_parameters(scene, 1, leaf.parameters) &&
@@ -168,12 +165,12 @@ static void check_section(struct bench *bench)
 {
     char text[8192];
     print_section(text, sizeof text, 7);
-    struct csgcast_scene *scene = bench_begin(bench, text, true);
+    struct csgcast_scene *scene = bench_begin(bench, text);
     bench_draw_edited(bench, scene, NULL);
     for (double at = -5; at < 20; at += 2.5) {
         const double matrix[16] = {1, 0, 0, at, 0, 1, 0, -9, 0, 0, 1, -9, 0, 0, 0, 1};
         print_section(text, sizeof text, at);
-        struct csgcast_scene *fresh = bench_parse(text, false);
+        struct csgcast_scene *fresh = bench_parse(text);
         CHECK(csgcast_scene_set_matrix(scene, 40, matrix), "%s", bench_last_message);
         bench_draw_edited(bench, scene, NULL);
         bench_draw(bench->fresh, fresh, NULL, &bench->expected);
@@ -197,8 +194,8 @@ static void check_blended(struct bench *bench)
                  " multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(3); }"
                  " multmatrix([[1,0,0,50],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(1); } %s",
                  parts[i][0], parts[i][1], parts[i][2]);
-        struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
-        struct csgcast_scene *fresh = bench_parse(bench->text, false);
+        struct csgcast_scene *scene = bench_begin(bench, bench->text);
+        struct csgcast_scene *fresh = bench_parse(bench->text);
         bench_draw_edited(bench, scene, NULL);
         bench_draw(bench->fresh, fresh, NULL, &bench->expected);
         bench_compare_pictures(bench, "blended", true);
@@ -233,7 +230,7 @@ static void check_bytes(struct bench *bench)
     static uint8_t got[4 * PIXELS], expected[4 * PIXELS];
     struct csgcast_stats stats;
     snprintf(bench->text, MODEL_MAX_TEXT, format, "h = 9, r = 2", "1, 1, 0, 1", "h = 4, r = 5");
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     draw_bytes(bench->edited, scene, got, &stats);
     const size_t programs = stats.programs;
     for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
@@ -247,7 +244,7 @@ static void check_bytes(struct bench *bench)
         CHECK(stats.programs == programs, "edit %zu compiled: %zu programs became %zu (%s)", i,
               programs, stats.programs, stats.variants);
         snprintf(bench->text, MODEL_MAX_TEXT, format, edits[i][0], edits[i][1], edits[i][2]);
-        struct csgcast_scene *fresh = bench_parse(bench->text, false);
+        struct csgcast_scene *fresh = bench_parse(bench->text);
         draw_bytes(bench->fresh, fresh, expected, &stats);
         CHECK(memcmp(got, expected, sizeof got) == 0, "edit %zu: pixels differ", i);
         csgcast_scene_destroy(fresh);
@@ -265,7 +262,7 @@ static void expect_error(bool refused, const char *message)
 static void check_errors(struct bench *bench)
 {
     static const char text[] = "cube(2);\nsphere(1);";
-    struct csgcast_scene *scene = bench_begin(bench, text, false);
+    struct csgcast_scene *scene = bench_begin(bench, text);
     double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const float nan_color[4] = {NAN, 0, 0, 1};
     const struct csgcast_edit second_wrong[2] = {{.leaf = 0, .parameters = "3"},

@@ -34,7 +34,7 @@ int main(int argc, char **argv)
     bench.fresh = bench_create_renderer(&bench);
     check_growth(&bench);
     for (int i = 0; i < num_scenes; i++)
-        check_random(&bench, seed + (unsigned)i, 3 + 5 * (i % 10), i % 2);
+        check_random(&bench, seed + (unsigned)i, 3 + 5 * (i % 10));
     for (int i = 0; i < num_scenes; i++)
         check_programs(&bench, seed + (unsigned)i, 3 + 5 * (i % 10));
     for (int i = 0; i < num_scenes / 5; i++)

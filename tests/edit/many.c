@@ -64,7 +64,7 @@ void check_many(struct bench *bench, uint64_t seed, bool marked)
     size_t name = 0;
     model_init_many(&model, seed, NUM_OBJECTS, marked);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, seed % 2);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     for (int i = 0; i < NUM_IN_A_ROW; i++) {
         const char *what = change(&model, scene, (size_t)model_random(&model, 0, model.num_leaves));
         if (i % 3)
@@ -89,7 +89,7 @@ void check_upload(struct bench *bench)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     for (int i = 0; i < 2; i++) {
         bench_draw_edited(bench, scene, &camera);
         CHECK(csgcast_scene_set_color(scene, 17, red), "%s", bench_last_message);

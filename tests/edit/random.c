@@ -16,7 +16,7 @@ void check_series(struct bench *bench, uint64_t seed)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     for (int i = 0; i < 8 * NUM_EDITS; i++) {
         const size_t leaf = (size_t)model_random(&model, 0, model.num_leaves);
         struct model_leaf *own = &model.leaves[leaf];
@@ -59,12 +59,12 @@ static size_t random_leaf(struct model *model)
     return (size_t)model_random(model, 0, model->num_leaves);
 }
 
-void check_random(struct bench *bench, uint64_t seed, int max_leaves, bool editable)
+void check_random(struct bench *bench, uint64_t seed, int max_leaves)
 {
     static struct model model;
     model_init(&model, seed, max_leaves);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, editable);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     bench_compare(bench, scene, &model, "before", true);
     for (int i = 0; i < NUM_EDITS; i++) {
         const char *what = edit_one(&model, scene, random_leaf(&model));
@@ -86,7 +86,7 @@ void check_programs(struct bench *bench, uint64_t seed, int max_leaves)
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     bench_draw_edited(bench, scene, &camera);
     for (int i = 0; i < 4 * NUM_EDITS; i++) {
         const size_t leaf = random_leaf(&model);
@@ -108,7 +108,7 @@ void check_batch(struct bench *bench)
     double matrices[5][16];
     model_init(&model, 11, 20);
     model_print(&model, bench->text);
-    struct csgcast_scene *scene = bench_begin(bench, bench->text, true);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
     for (size_t i = 0; i < 5; i++) {
         model_random_matrix(&model, matrices[i]);
         edits[i] = (struct csgcast_edit){.leaf = i < 4 ? i : 0, .matrix = matrices[i]};

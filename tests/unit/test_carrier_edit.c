@@ -91,8 +91,7 @@ static struct csgcast_scene *random_scene(int *leaf_kinds)
                                 parameters);
     }
     snprintf(text + num, sizeof text - num, "}");
-    const struct csgcast_scene_params params = {.editable = true};
-    return csgcast_scene_parse(text, strlen(text), &params);
+    return csgcast_scene_parse(text, strlen(text), NULL);
 }
 
 static bool is_same(const struct csg_carriers *a, const struct csg_face *x,

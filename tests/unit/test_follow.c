@@ -9,8 +9,7 @@
 
 static struct csgcast_scene *parse(const char *text)
 {
-    const struct csgcast_scene_params params = {.editable = true};
-    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
     CHECK(scene && csgcast_scene_set_parameters(scene, 0, "1"),
           "no scene"); /* what is kept is there */
     return scene;

@@ -104,8 +104,6 @@ struct csgcast_scene_params {
     const char *directory;      /* where relative file names in the scene start. NULL: that of the
                                  * path; the working directory for text in memory and "-" */
     const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
-    bool editable;              /* edits will follow: the first frame of a renderer compiles all
-                                 * programs that they may ask for */
     bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
     const char *cache;   /* directory for what openscad made of them; "": none. NULL:
                           * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
@@ -113,8 +111,8 @@ struct csgcast_scene_params {
     csgcast_log_fn *log; /* NULL: standard error */
     void *log_user;      /* passed to log */
     int num_threads;     /* that read it, as in csgcast_renderer_params */
-    bool fixed;          /* no edits will follow: the text, which they start from, is not
-                          * kept, and they are errors. Not heeded where editable */
+    bool fixed;          /* no edits will follow, and they are errors: the text, which they start
+                          * from, is not kept, and programs that they may ask for are not compiled */
 };
 
 struct csgcast_scene;
@@ -216,9 +214,8 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * made anew, also what had been left out before. Renderers keep their programs: the frame after an
  * edit uploads bytes and compiles nothing. What newly shows is drawn by programs that are there; a
  * further frame without an edit between may compile one that draws it sooner, as a moved camera's
- * may. That holds for scenes that are loaded as editable (csgcast_scene_params), whose first frame
- * compiles what edits may ask for. Of others the first edit makes one that is, and the frame after
- * it compiles that.
+ * may. The first frame of a scene compiles what edits may ask for, unless the scene is fixed
+ * (csgcast_scene_params).
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
  * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
