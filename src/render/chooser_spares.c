@@ -86,17 +86,23 @@ static int all_features(const struct csg_plan *plan)
            (plan->has_rings ? CSG_FEATURE_BANDS : 0);
 }
 
-/* What draws any object, seen in any way. */
-static bool prepare_general(struct csg_chooser *chooser)
+/* The program of a resolver that draws any object, seen in any way; of bands there are two, see
+ * more_than in render/chooser_programs.c. */
+static bool prepare_any(struct csg_chooser *chooser, enum csg_resolver resolver, int features)
+{
+    enum csg_resolver chosen;
+    return csg_chooser_shared(chooser, resolver, features | CSG_FEATURE_STIFF, &chosen) &&
+           (!(features & CSG_FEATURE_BANDS) ||
+            csg_chooser_shared(chooser, resolver, features, &chosen));
+}
+
+static bool prepare_general(struct csg_chooser *chooser, enum csg_resolver resolver,
+                            enum csg_resolver precise)
 {
     const int all = all_features(chooser->request->scene->plan);
-    const bool has_double = chooser->renderer->gl->has_double;
-    enum csg_resolver resolver;
-    return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, all | CSG_FEATURE_STIFF, &resolver) &&
-           (!(all & CSG_FEATURE_BANDS) ||
-            csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, all, &resolver)) &&
-           (!has_double ||
-            csg_chooser_shared(chooser, CSG_RESOLVER_DOUBLE, all | CSG_FEATURE_DOUBLE, &resolver));
+    return prepare_any(chooser, resolver, all) &&
+           (!chooser->renderer->gl->has_double ||
+            prepare_any(chooser, precise, all | CSG_FEATURE_DOUBLE));
 }
 
 /* The same for what an edit makes translucent: in a frame that is drawn directly there is nothing
@@ -104,12 +110,11 @@ static bool prepare_general(struct csg_chooser *chooser)
 static bool prepare_translucent(struct csg_chooser *chooser)
 {
     const struct csg_request *request = chooser->request;
-    const int all = all_features(request->scene->plan);
-    enum csg_resolver resolver;
     struct csg_chooser *blended = csg_chooser_create(chooser->renderer, request, false);
     const bool ok =
-        blended && (!chooser->direct || prepare_general(blended)) &&
-        csg_chooser_shared(blended, CSG_RESOLVER_REAR, all | CSG_FEATURE_STIFF, &resolver) &&
+        blended &&
+        (!chooser->direct || prepare_general(blended, CSG_RESOLVER_LOOP, CSG_RESOLVER_DOUBLE)) &&
+        prepare_general(blended, CSG_RESOLVER_REAR, CSG_RESOLVER_REAR) &&
         csg_programs_get(&chooser->renderer->programs,
                          csg_source_shade(request->image->id != NULL, false,
                                           request->shared ? CSG_FEATURE_SHARED : 0));
@@ -125,7 +130,8 @@ bool csg_chooser_prepare(struct csg_chooser *chooser)
         return true;
     for (size_t i = 0; i < plan->num_lefts && ok; i++)
         ok = prepare_left(chooser, plan->lefts[i]);
-    return ok && prepare_general(chooser) && prepare_translucent(chooser);
+    return ok && prepare_general(chooser, CSG_RESOLVER_LOOP, CSG_RESOLVER_DOUBLE) &&
+           prepare_translucent(chooser);
 }
 
 /* ---- the frame after an edit ---- */

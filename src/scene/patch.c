@@ -55,7 +55,8 @@ void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16])
     struct csg_space *space = &patch->origin.space;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++) {
-            const double entry = matrix[4 * i + j];
+            /* No zero is negative, as in the products of matrices that a text gives. */
+            const double entry = matrix[4 * i + j] + 0.0;
             if (space->map.m[i][j] == entry)
                 continue;
             space->map.m[i][j] = entry;

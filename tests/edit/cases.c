@@ -283,8 +283,45 @@ static void check_errors(struct bench *bench)
     csgcast_scene_destroy(scene);
 }
 
+/* Zeros of a matrix have no sign, whether it comes from the text or from an edit. */
+static void check_zeros(struct bench *bench)
+{
+    static const double turned[16] = {0.8, -0.6, 1, 0, 0.6, 0.8, 1, 0, 1, 1, 2, 0, 0, 0, 0, 1};
+    struct csgcast_scene *scene = bench_begin(
+        bench, "multmatrix([[0.8,-0.6,1,0],[0.6,0.8,1,0],[1,1,2,0],[0,0,0,1]]) cube(5);");
+    struct csgcast_scene *fresh =
+        bench_parse("multmatrix([[1.5,0,0,3],[0,1,0,2],[0,0,1,1],[0,0,0,1]]) cube(5);");
+    bench_draw(bench->fresh, fresh, NULL, &bench->expected);
+    for (int i = 0; i < 16; i++) {
+        const double zero[2] = {0, -0.0};
+        const double matrix[16] = {1.5,
+                                   zero[i & 1],
+                                   zero[i >> 1 & 1],
+                                   3,
+                                   zero[i >> 2 & 1],
+                                   1,
+                                   zero[i >> 3],
+                                   2,
+                                   -0.0,
+                                   0,
+                                   1,
+                                   1,
+                                   0,
+                                   0,
+                                   0,
+                                   1};
+        CHECK(csgcast_scene_set_matrix(scene, 0, matrix), "%s", bench_last_message);
+        bench_draw_edited(bench, scene, NULL);
+        bench_compare_pictures(bench, "zeros", true);
+        CHECK(csgcast_scene_set_matrix(scene, 0, turned), "%s", bench_last_message);
+    }
+    csgcast_scene_destroy(fresh);
+    csgcast_scene_destroy(scene);
+}
+
 void check_cases(struct bench *bench)
 {
+    check_zeros(bench);
     check_empty(bench);
     check_getters(bench);
     check_same(bench);
