@@ -71,10 +71,9 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
                     bool in_boolean, struct csg_part *part)
 {
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
-        csg_report_error(walk->builder->report, CSGCAST_MESSAGE_SCENE,
-                         csg_walk_node(walk, node)->place,
-                         "rotate_extrude: the profile must lie on one side of the axis, but its x "
-                         "reaches from %g to %g",
+        csg_walk_warning(walk, node,
+                         "the profile must lie on one side of the axis, but its x reaches from %g "
+                         "to %g; nothing is drawn",
                          profile->lo, profile->hi);
         return true;
     }
