@@ -281,7 +281,7 @@ static bool add_sectors(struct lathe *lathe)
 }
 
 /* The planes of a sector alone. Its box is that of what it cuts: outside of it there are no rings,
-* so that nobody asks. */
+ * so that nobody asks. */
 static bool add_sector_planes(struct lathe *lathe, const struct sector *sector, bool negated)
 {
     const struct csg_profile *profile = lathe->profile;

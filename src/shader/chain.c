@@ -226,15 +226,21 @@ static void add_slots(struct csg_text *text, const struct csg_chain *chain)
         add_reading(text, chain, i);
 }
 
+/* Where the ray is inside of the slot's solid. */
+static void add_span(struct csg_text *text, const struct csg_chain *chain, int i)
+{
+    csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i, i,
+                 i);
+    if (chain->quadrics)
+        csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i, i,
+                     i, i);
+}
+
 /* The first slot is a solid's. */
 static void add_spans(struct csg_text *text, const struct csg_chain *chain)
 {
     for (int i = 0; i < chain->slots; i++) {
-        csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i,
-                     i, i);
-        if (chain->quadrics)
-            csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i,
-                         i, i, i);
+        add_span(text, chain, i);
         if (i == 0)
             csg_text_add(text, "    const bool c0 = false;\n    vec2 whole = l0.key;\n");
         else
@@ -250,11 +256,7 @@ static void add_spans(struct csg_text *text, const struct csg_chain *chain)
 static void add_literals(struct csg_text *text, const struct csg_chain *chain)
 {
     for (int i = 0; i < chain->slots; i++) {
-        csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i,
-                     i, i);
-        if (chain->quadrics)
-            csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i,
-                         i, i, i);
+        add_span(text, chain, i);
         csg_text_add(text,
                      "    bool c%d = csg_clause_negated(h%d);\n"
                      "    int g%d = csg_clause_of(h%d);\n",
