@@ -29,11 +29,6 @@ struct csg_splitter {
 bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
                     const struct csg_tree *tree, struct csg_split *split);
 
-static inline double csg_vec3_component(struct csg_vec3 a, int axis)
-{
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
-
 /* The box with one of its ends moved. */
 struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *split, bool upper);
 

@@ -9,6 +9,7 @@
 #include "output.h"
 #include "stats.h"
 
+#include "common/file.h"
 #include "common/heap.h"
 
 #include <stdio.h>
@@ -19,17 +20,11 @@
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 
-static bool has_extension(const char *path, const char *extension)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcasecmp(dot, extension);
-}
-
 static bool is_png(const char *output, const char *format)
 {
     if (format)
         return !strcasecmp(format, "png");
-    return !strcmp(output, "-") || has_extension(output, ".png");
+    return !strcmp(output, "-") || csg_path_ends(output, ".png");
 }
 
 /* ---- the picture in memory ---------------------------------------------------------------- */
@@ -216,7 +211,7 @@ static enum csg_cli_exit render_animation(const struct csg_cli_options *options,
 
 static bool can_animate(const struct csg_cli_options *options, const char *output)
 {
-    if (!has_extension(options->input, ".scad"))
+    if (!csg_path_ends(options->input, ".scad"))
         csg_cli_error("--animate needs a .scad file: %s has no $t", options->input);
     else if (!strcmp(output, "-"))
         csg_cli_error("--animate writes a file for each frame, not to standard output");

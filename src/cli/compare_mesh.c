@@ -5,6 +5,7 @@
 
 /* Where the mesh of `csgcast compare` comes from: a file, or openscad. */
 
+#include "common/file.h"
 #include "compare_mesh.h"
 #include "messages.h"
 #include "process.h"
@@ -14,7 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 static void show_log(const char *path, const char *begin)
 {
@@ -140,19 +140,13 @@ static bool convert_mesh(struct csg_mesh_source *source, const struct csg_compar
     return ok;
 }
 
-static bool has_extension(const char *path, const char *extension)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, extension) == 0;
-}
-
 /* The given mesh, or the one that openscad makes. */
 bool csg_mesh_source_read(struct csg_mesh_source *source, const struct csg_compare_module *module)
 {
     const char *given = source->options->compare.mesh;
     struct csg_folder folder = {0};
     source->name = given ? given : openscad_program(source);
-    if (given && !has_extension(given, ".3mf"))
+    if (given && !csg_path_ends(given, ".3mf"))
         return read_mesh(source, module, given);
     if (!given && strcmp(source->options->input, "-") == 0) {
         csg_cli_error("a scene from standard input needs --mesh=FILE");

@@ -3,6 +3,7 @@
 /* Error against time for one scene: csgcast's variants, and meshes by $fn, drawn in turns. */
 
 #include "common/clock.h"
+#include "common/file.h"
 #include "messages.h"
 #include "process.h"
 #include "report.h"
@@ -237,12 +238,6 @@ static void close_scene(struct bench *bench)
     csgcast_scene_destroy(bench->scene);
 }
 
-static bool is_scad(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".scad") == 0;
-}
-
 static bool measure(struct bench *bench)
 {
     if (!open_scene(bench) || !add_reference(bench))
@@ -250,7 +245,7 @@ static bool measure(struct bench *bench)
     for (size_t i = 0; csg_report_variant(i); i++)
         if (!add_variant(bench, csg_report_variant(i)))
             return false;
-    if (is_scad(bench->path)) { /* .csg text has its facets' numbers written in */
+    if (csg_path_ends(bench->path, ".scad")) { /* .csg text has its facets' numbers written in */
         add_meshes(bench, CSG_SERIES_CGAL);
         if (bench->report->has_wasm)
             add_meshes(bench, CSG_SERIES_MANIFOLD);

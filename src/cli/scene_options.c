@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene_options.h"
 
+#include "common/file.h"
 #include "messages.h"
 #include "values.h"
 
 #include <string.h>
-#include <strings.h>
 
 #define MAX_FRAMES 100000 /* of an animation, csgcast_animation_load's limit */
 
@@ -114,12 +114,6 @@ const char *csg_set_clear(struct csg_cli_options *options, const char *value)
     return NULL;
 }
 
-static bool is_scad(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && !strcasecmp(dot, ".scad");
-}
-
 /* A .csg has no variables; whoever sets some expects another picture. */
 static void warn_variables(const struct csg_cli_options *options)
 {
@@ -139,7 +133,7 @@ void csg_warn_unheeded(const struct csg_cli_options *options)
     const struct csgcast_scene_params *scene = &options->scene;
     bool has_scad = false;
     for (size_t i = 0; i < options->num_inputs; i++)
-        has_scad |= is_scad(options->inputs[i]);
+        has_scad |= csg_path_ends(options->inputs[i], ".scad");
     if (options->quiet || options->num_inputs == 0)
         return;
     if (!has_scad)

@@ -83,6 +83,19 @@ char *csg_path_absolute(const char *path)
     return absolute;
 }
 
+bool csg_path_ends(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), ending_length = strlen(ending);
+    if (length < ending_length)
+        return false;
+    for (size_t i = 0; i < ending_length; i++) {
+        const char c = path[length - ending_length + i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i])
+            return false;
+    }
+    return true;
+}
+
 bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log)
 {
     const bool is_input = strcmp(path, "-") == 0;

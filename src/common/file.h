@@ -25,4 +25,7 @@ bool csg_file_read_all(int fd, struct csg_bytes *bytes);
 /* The path from the root on, for the caller to free. NULL: out of memory. */
 char *csg_path_absolute(const char *path);
 
+/* Whether the path has that ending, such as ".scad", in upper or lower case. */
+bool csg_path_ends(const char *path, const char *ending);
+
 #endif

@@ -27,6 +27,12 @@ static inline struct csg_vec3 csg_vec3(double x, double y, double z)
     return (struct csg_vec3){x, y, z};
 }
 
+/* axis: 0 to 2 */
+static inline double csg_vec3_component(struct csg_vec3 a, int axis)
+{
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
 static inline struct csg_vec3 csg_add(struct csg_vec3 a, struct csg_vec3 b)
 {
     return csg_vec3(a.x + b.x, a.y + b.y, a.z + b.z);

@@ -37,11 +37,6 @@ struct bin {
     uint32_t num;
 };
 
-static double component(struct csg_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 static int bin_of(double x, double lo, double scale)
 {
     const double bin = (x - lo) * scale;
@@ -57,7 +52,7 @@ static double best_cut(const struct item *items, uint32_t num, int axis, double 
     for (int i = 0; i < num_bins; i++)
         bins[i] = (struct bin){csg_box_empty, 0};
     for (uint32_t i = 0; i < num; i++) {
-        struct bin *bin = &bins[bin_of(component(items[i].center, axis), lo, scale)];
+        struct bin *bin = &bins[bin_of(csg_vec3_component(items[i].center, axis), lo, scale)];
         bin->box = csg_box_union(&bin->box, &items[i].box);
         bin->num++;
     }
@@ -90,7 +85,7 @@ static uint32_t split(struct item *items, uint32_t num, const struct csg_box *ce
     double least = INFINITY;
     int axis = -1, cut = 0;
     for (int i = 0; i < 3; i++) {
-        const double lo = component(centers->lo, i), size = component(sizes, i);
+        const double lo = csg_vec3_component(centers->lo, i), size = csg_vec3_component(sizes, i);
         if (num > max_compared && size < longest)
             continue;
         int at = 0;
@@ -103,11 +98,11 @@ static uint32_t split(struct item *items, uint32_t num, const struct csg_box *ce
     }
     if (axis < 0)
         return num / 2;
-    const double lo = component(centers->lo, axis);
-    const double scale = num_bins / (component(centers->hi, axis) - lo);
+    const double lo = csg_vec3_component(centers->lo, axis);
+    const double scale = num_bins / (csg_vec3_component(centers->hi, axis) - lo);
     uint32_t first = 0;
     for (uint32_t i = 0; i < num; i++) {
-        if (bin_of(component(items[i].center, axis), lo, scale) >= cut)
+        if (bin_of(csg_vec3_component(items[i].center, axis), lo, scale) >= cut)
             continue;
         const struct item item = items[i];
         items[i] = items[first];

@@ -22,42 +22,40 @@ struct corner {
     double x, y, t;
 };
 
-static double component(struct csg_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 static struct shear shear_for(struct csg_vec3 org, struct csg_vec3 dir)
 {
     const double x = fabs(dir.x), y = fabs(dir.y), z = fabs(dir.z);
     struct shear shear = {.org = org, .z = x > y && x > z ? 0 : y > z ? 1 : 2};
     shear.x = (shear.z + 1) % 3;
     shear.y = (shear.z + 2) % 3;
-    shear.length = component(dir, shear.z);
-    shear.sx = component(dir, shear.x) / shear.length;
-    shear.sy = component(dir, shear.y) / shear.length;
+    shear.length = csg_vec3_component(dir, shear.z);
+    shear.sx = csg_vec3_component(dir, shear.x) / shear.length;
+    shear.sy = csg_vec3_component(dir, shear.y) / shear.length;
     return shear;
 }
 
 static struct corner corner_of(const struct shear *shear, struct csg_vec3 point)
 {
     const struct csg_vec3 p = csg_sub(point, shear->org);
-    const double z = component(p, shear->z);
-    return (struct corner){component(p, shear->x) - shear->sx * z,
-                           component(p, shear->y) - shear->sy * z, z / shear->length};
+    const double z = csg_vec3_component(p, shear->z);
+    return (struct corner){csg_vec3_component(p, shear->x) - shear->sx * z,
+                           csg_vec3_component(p, shear->y) - shear->sy * z, z / shear->length};
 }
 
 static bool meets_box(const struct shear *shear, const struct csg_box *box)
 {
     const struct csg_vec3 middle = csg_sub(csg_scale(0.5, csg_add(box->lo, box->hi)), shear->org);
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
-    const double z = component(middle, shear->z), reach = component(half, shear->z);
-    const double x = component(middle, shear->x) - shear->sx * z;
-    const double y = component(middle, shear->y) - shear->sy * z;
+    const double z = csg_vec3_component(middle, shear->z),
+                 reach = csg_vec3_component(half, shear->z);
+    const double x = csg_vec3_component(middle, shear->x) - shear->sx * z;
+    const double y = csg_vec3_component(middle, shear->y) - shear->sy * z;
     const double size = fabs(middle.x) + fabs(middle.y) + fabs(middle.z) + fabs(shear->org.x) +
                         fabs(shear->org.y) + fabs(shear->org.z) + reach;
-    return fabs(x) <= component(half, shear->x) + fabs(shear->sx) * reach + BOX_MARGIN * size &&
-           fabs(y) <= component(half, shear->y) + fabs(shear->sy) * reach + BOX_MARGIN * size;
+    return fabs(x) <=
+               csg_vec3_component(half, shear->x) + fabs(shear->sx) * reach + BOX_MARGIN * size &&
+           fabs(y) <=
+               csg_vec3_component(half, shear->y) + fabs(shear->sy) * reach + BOX_MARGIN * size;
 }
 
 /* Whether the edge crosses the half-line from the origin along +x: 1 upwards, -1 downwards. Asked

@@ -63,8 +63,7 @@ static bool has_exits(const struct csg_chooser *chooser, const struct csg_struct
         if (!(flags & CSG_RECORD_POP) && head[0] > head[1] &&
             csg_shape_is_paired(&structure->scene->leaves[leaf].shape))
             return false;
-        head += 4 * (1 + (int)head[0] + (int)head[1] +
-                     (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
+        head += 4 * (1 + csg_record_terms(head));
     }
     return true;
 }

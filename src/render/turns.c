@@ -19,9 +19,7 @@ static double record_crossings(const float *head)
 static int32_t record_size(const float *head, bool precise)
 {
     const int flags = (int)head[2];
-    const int32_t terms =
-        (int32_t)head[0] + (int32_t)head[1] + (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0);
-    return 1 + (precise && !(flags & CSG_RECORD_SURFACE) ? 2 : 1) * terms;
+    return 1 + (precise && !(flags & CSG_RECORD_SURFACE) ? 2 : 1) * csg_record_terms(head);
 }
 
 struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw)

@@ -14,11 +14,6 @@ struct axes {
     int x, y, up;
 };
 
-static double component(struct csg_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /* A plane through three of the points that lie far apart. false: they are all on one line. */
 static bool find_plane(const struct csg_points *points, struct csg_vec3 corner[3],
                        struct csg_plane *plane)
@@ -60,7 +55,7 @@ static bool is_flat(const struct csg_vec3 corner[3], struct csg_vec3 p)
     const struct csg_vec3 to[3] = {corner[1], corner[2], p};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            d[i][k] = (long double)component(to[i], k) - component(corner[0], k);
+            d[i][k] = (long double)csg_vec3_component(to[i], k) - csg_vec3_component(corner[0], k);
     long double volume = 0, size = 1;
     for (int k = 0; k < 3; k++) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
@@ -84,9 +79,9 @@ static struct csg_vec3 lift(const struct csg_plane *plane, const struct axes *ax
     double at[3];
     at[axes->x] = p.x;
     at[axes->y] = p.y;
-    at[axes->up] = (plane->offset - component(plane->normal, axes->x) * p.x -
-                    component(plane->normal, axes->y) * p.y) /
-                   component(plane->normal, axes->up);
+    at[axes->up] = (plane->offset - csg_vec3_component(plane->normal, axes->x) * p.x -
+                    csg_vec3_component(plane->normal, axes->y) * p.y) /
+                   csg_vec3_component(plane->normal, axes->up);
     return csg_vec3(at[0], at[1], at[2]);
 }
 
@@ -99,7 +94,7 @@ static bool fill(const struct csg_points *points, const struct csg_plane *plane,
     bool ok = true;
     for (size_t i = 0; i < points->points.num && ok; i++) {
         const struct csg_vec3 p = points->points.data[i];
-        const struct csg_vec2 at = {component(p, axes.x), component(p, axes.y)};
+        const struct csg_vec2 at = {csg_vec3_component(p, axes.x), csg_vec3_component(p, axes.y)};
         ok = csg_array_push(&flat.list, at);
     }
     ok = ok && csg_flat_points_wrap(&flat);

@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "common/file.h"
 #include "common/module.h"
 
 const char *csg_import_name(const struct csg_args *args)
@@ -24,8 +24,7 @@ const char *csg_import_name(const struct csg_args *args)
 
 bool csg_import_has_ending(const char *name, const char *ending)
 {
-    const char *dot = name ? strrchr(name, '.') : NULL;
-    return dot && strcasecmp(dot, ending) == 0;
+    return name && csg_path_ends(name, ending);
 }
 
 bool csg_import_is_mesh(const char *name)

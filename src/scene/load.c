@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "common/file.h"
 #include "common/join.h"
 #include "scene/build.h"
 #include "scene/edits.h"
@@ -14,19 +15,6 @@
 #include "scene/plain_text.h"
 
 static const struct csgcast_scene_params default_params;
-
-static bool ends_with(const char *path, const char *ending)
-{
-    const size_t length = strlen(path), ending_length = strlen(ending);
-    if (length < ending_length)
-        return false;
-    for (size_t i = 0; i < ending_length; i++) {
-        const char c = path[length - ending_length + i];
-        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i])
-            return false;
-    }
-    return true;
-}
 
 /* Subtrees handed to openscad may turn out to be in others that need it as well. */
 enum { max_rounds = 16 };
@@ -248,7 +236,7 @@ static struct csgcast_scene *load(const char *path, const struct csgcast_scene_p
 {
     const double start = csg_clock_ms();
     struct csgcast_scene *scene =
-        ends_with(path, ".scad") ? load_scad(path, params, log) : load_csg(path, params, log);
+        csg_path_ends(path, ".scad") ? load_scad(path, params, log) : load_csg(path, params, log);
     if (scene)
         scene->load_ms = csg_clock_ms() - start - scene->csg_ms;
     return scene;

@@ -108,19 +108,13 @@ static bool is_link(const float *texels, const float *head, int slot, int64_t ra
            rank_of(texels, head) >= rank && (slot > 0 || !(flags & CSG_RECORD_NEGATED));
 }
 
-static const float *behind(const float *head)
-{
-    const int flags = (int)head[2];
-    return head + 4 * (1 + (int)head[0] + (int)head[1] +
-                       (flags & CSG_RECORD_QUADRIC ? CSG_QUADRIC_TEXELS : 0));
-}
-
 int csg_chain_find(const float *texels, size_t begin, size_t end)
 {
     const float *last = texels + 4 * end;
     struct csg_chain found = {.clauses = (int)texels[4 * begin + 2] >= CSG_RECORD_CLAUSE};
     int64_t rank = 0;
-    for (const float *head = texels + 4 * begin; head < last; head = behind(head)) {
+    for (const float *head = texels + 4 * begin; head < last;
+         head += 4 * (1 + csg_record_terms(head))) {
         const int flags = (int)head[2];
         if (found.clauses && flags & CSG_RECORD_POP)
             continue;
