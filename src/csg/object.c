@@ -191,6 +191,12 @@ bool csg_nodes_are_opaque(const struct csgcast_scene *scene, const struct csg_no
     return true;
 }
 
+bool csg_nodes_may_stay(const struct csgcast_scene *scene, const struct csg_node *nodes,
+                        uint32_t begin, uint32_t end)
+{
+    return end - begin <= CSG_KEPT_MAX_NODES && csg_nodes_are_opaque(scene, nodes, begin, end);
+}
+
 static void mark_known(const struct csg_tree *tree, uint8_t mark, uint8_t *known)
 {
     for (size_t i = 0; i < tree->num; i++)
@@ -205,7 +211,7 @@ static bool is_kept(const struct csgcast_scene *scene, const struct csg_tree *tr
     for (uint32_t i = begin; i < end; i++)
         if (tree->data[i].op == CSG_LEAF && highlighted[tree->data[i].leaf])
             return false;
-    return end - begin <= CSG_KEPT_MAX_NODES && csg_nodes_are_opaque(scene, tree->data, begin, end);
+    return csg_nodes_may_stay(scene, tree->data, begin, end);
 }
 
 /* One operand of the outermost union, which stays whole: what does not show becomes spare. */

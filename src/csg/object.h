@@ -73,6 +73,11 @@ bool csg_nodes_are_opaque(const struct csgcast_scene *scene, const struct csg_no
  * straight-line code is made for (CSG_STRAIGHT_MAX_STEPS). */
 #define CSG_KEPT_MAX_NODES 24
 
+/* Whether an operand of the outermost union is one of these, as far as its own nodes tell: small,
+ * and nothing of it translucent. */
+bool csg_nodes_may_stay(const struct csgcast_scene *scene, const struct csg_node *nodes,
+                        uint32_t begin, uint32_t end);
+
 /*
  * For a scene that is edited: what prune made of the model's tree is pruned; small objects of tree
  * keep the leaves that went, as spare ones, so that no edit changes their programs. But not those

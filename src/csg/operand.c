@@ -23,8 +23,7 @@ bool csg_operand_take(struct csg_operand *operand, const struct csgcast_scene *s
 static bool is_kept(const struct csg_operand *operand, const struct csgcast_scene *scene)
 {
     const struct csg_tree *whole = &operand->whole;
-    return whole->num <= CSG_KEPT_MAX_NODES &&
-           csg_nodes_are_opaque(scene, whole->data, 0, (uint32_t)whole->num);
+    return csg_nodes_may_stay(scene, whole->data, 0, (uint32_t)whole->num);
 }
 
 uint32_t csg_operand_leaf(const struct csg_operand *operand, const struct csgcast_scene *scene)
