@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# csgcast-image: the module that writes image files. It is loaded at run time, since OpenImageIO
-# brings some 260 shared libraries that a preview does not need.
+# csgcast-image: the module that writes image files other than PNG. It is loaded at run time, since
+# OpenImageIO brings some 260 shared libraries that a preview does not need.
 
 # pkg-config first: Debian's CMake package of OpenImageIO wants openimageio-tools installed as well.
 set(image_library "")
@@ -19,7 +19,7 @@ if(NOT image_library)
     endif()
 endif()
 if(NOT image_library)
-    message(WARNING "OpenImageIO is not installed: csgcast will not be able to write image files "
+    message(WARNING "OpenImageIO is not installed: csgcast will write PNG and no other image files "
         "(Debian: libopenimageio-dev)")
     return()
 endif()

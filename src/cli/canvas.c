@@ -94,21 +94,21 @@ void csg_canvas_fill(struct csg_canvas *canvas, int x, int y, int width, int hei
             csg_canvas_set(canvas, u, v, color);
 }
 
-static void draw_glyph(struct csg_canvas *canvas, int x, int y, int scale, struct csg_color color,
+static void draw_glyph(struct csg_canvas *canvas, int x, int y, struct csg_color color,
                        const unsigned char *rows)
 {
     for (int row = 0; row < NUM_ROWS; row++)
         for (int column = 0; column < NUM_COLUMNS; column++)
             if (rows[row] >> (NUM_COLUMNS - 1 - column) & 1)
-                csg_canvas_fill(canvas, x + scale * column, y + scale * row, scale, scale, color);
+                csg_canvas_set(canvas, x + column, y + row, color);
 }
 
-void csg_canvas_text(struct csg_canvas *canvas, int x, int y, int scale, struct csg_color color,
+void csg_canvas_text(struct csg_canvas *canvas, int x, int y, struct csg_color color,
                      const char *text)
 {
-    for (; *text; text++, x += CSG_CANVAS_CHARACTER * scale) {
+    for (; *text; text++, x += CSG_CANVAS_CHARACTER) {
         const int c = *text >= ' ' && *text <= '~' ? *text : '?';
         const bool descends = c == 'g' || c == 'p' || c == 'q' || c == 'y' || c == 'j';
-        draw_glyph(canvas, x, y + descends * scale, scale, color, glyphs[c - ' ']);
+        draw_glyph(canvas, x, y + descends, color, glyphs[c - ' ']);
     }
 }

@@ -24,9 +24,9 @@ void csg_canvas_set(struct csg_canvas *canvas, int x, int y, struct csg_color co
 void csg_canvas_fill(struct csg_canvas *canvas, int x, int y, int width, int height,
                      struct csg_color color);
 
-/* ASCII of 6 x 8 pixels a character, times scale; (x, y) is its top left corner. Other bytes are
- * drawn as question marks. */
-void csg_canvas_text(struct csg_canvas *canvas, int x, int y, int scale, struct csg_color color,
+/* ASCII of 6 x 8 pixels a character; (x, y) is its top left corner. Other bytes are drawn as
+ * question marks. */
+void csg_canvas_text(struct csg_canvas *canvas, int x, int y, struct csg_color color,
                      const char *text);
 #define CSG_CANVAS_CHARACTER 6
 

@@ -146,8 +146,9 @@ static bool make_folder(const struct csg_report *report)
     return false;
 }
 
-bool csg_report_write(const struct csg_report *report, const char *suffix,
-                      void (*print)(const struct csg_report *report, FILE *file))
+/* A file of the report's folder: CSG_REPORT_NAME and suffix. false, with a message. */
+static bool write_file(const struct csg_report *report, const char *suffix,
+                       void (*print)(const struct csg_report *report, FILE *file))
 {
     char path[PATH_MAX], beside[PATH_MAX + 8];
     snprintf(path, sizeof path, "%s/" CSG_REPORT_NAME "%s", report->folder, suffix);
@@ -212,11 +213,11 @@ static bool measure(struct csg_report *report)
 
 static bool write_all(const struct csg_report *report)
 {
-    return csg_report_write(report, ".csv", csg_report_print_csv) &&
-           csg_report_write(report, "-sweeps.csv", csg_report_print_sweeps_csv) &&
-           csg_report_write(report, ".json", csg_report_print_json) &&
+    return write_file(report, ".csv", csg_report_print_csv) &&
+           write_file(report, "-sweeps.csv", csg_report_print_sweeps_csv) &&
+           write_file(report, ".json", csg_report_print_json) &&
            (!report->has_gnuplot || csg_report_plot(report)) &&
-           csg_report_write(report, ".md", csg_report_print_page);
+           write_file(report, ".md", csg_report_print_page);
 }
 
 static void finish(struct csg_report *report)

@@ -29,7 +29,6 @@ struct csg_compared_total {
     double facets; /* as in a view */
     /* Means of all pixels; quantiles and maxima of the worst view. */
     struct csg_errors depth, relative, offset, normal;
-    int worst_depth, worst_normal; /* views of the maxima */
 };
 
 struct csg_compared {

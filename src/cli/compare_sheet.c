@@ -101,7 +101,7 @@ static int draw_key(struct csg_canvas *canvas, int x, int y, struct csg_color co
                     const char *text)
 {
     csg_canvas_fill(canvas, x, y, 10, 10, color);
-    csg_canvas_text(canvas, x + 14, y + 2, 1, ink, text);
+    csg_canvas_text(canvas, x + 14, y + 2, ink, text);
     return x + 14 + CSG_CANVAS_CHARACTER * ((int)strlen(text) + 1);
 }
 
@@ -119,7 +119,7 @@ static void draw_legend(struct csg_canvas *canvas, const struct csg_compared *co
         const int begin = i == 0 ? at : i == NUM_DECADES ? at - length : at - length / 2;
         if (begin < end)
             continue; /* a narrow picture has room for some of them only */
-        csg_canvas_text(canvas, begin, y + 13, 1, ink, text);
+        csg_canvas_text(canvas, begin, y + 13, ink, text);
         end = begin + length + CSG_CANVAS_CHARACTER;
     }
     x = draw_key(canvas, MARGIN, y + 26, only_ours, "only csgcast");
@@ -150,7 +150,7 @@ static void draw_sheet(struct csg_canvas *canvas, const struct csg_compared *com
             const int x = MARGIN + i * (width + MARGIN), y = row * (height + LABEL);
             char text[96];
             print_label(compared, &compared->views[row], columns[i], text);
-            csg_canvas_text(canvas, x, y + 8, 1, ink, text);
+            csg_canvas_text(canvas, x, y + 8, ink, text);
             draw_cell(canvas, compared, &compared->views[row], columns[i], x, y + LABEL);
         }
     if (sheet & CSG_SHEET_DIFFERENCE)

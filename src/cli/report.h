@@ -78,9 +78,7 @@ struct csg_sweep_text {
 };
 const struct csg_sweep_text *csg_report_sweep(size_t index);
 
-/* Writes a file of the report's folder: CSG_REPORT_NAME and suffix. false, with a message. */
-bool csg_report_write(const struct csg_report *report, const char *suffix,
-                      void (*print)(const struct csg_report *report, FILE *file));
+/* The files of the report's folder. */
 void csg_report_print_page(const struct csg_report *report, FILE *file);
 void csg_report_print_csv(const struct csg_report *report, FILE *file);
 void csg_report_print_sweeps_csv(const struct csg_report *report, FILE *file);

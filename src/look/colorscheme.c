@@ -27,8 +27,9 @@ static const struct csg_colorscheme schemes[] = {
 
 #define NUM_SCHEMES (sizeof schemes / sizeof *schemes)
 
-const float csg_background_color[4] = {180 / 255.f, 180 / 255.f, 180 / 255.f, 128 / 255.f};
-const float csg_highlight_color[4] = {255 / 255.f, 81 / 255.f, 81 / 255.f, 128 / 255.f};
+/* Colours of the % and # overlays of solids without color() (OpenSCAD's renderer.cc). */
+static const float background_color[4] = {180 / 255.f, 180 / 255.f, 180 / 255.f, 128 / 255.f};
+static const float highlight_color[4] = {255 / 255.f, 81 / 255.f, 81 / 255.f, 128 / 255.f};
 
 const char *csgcast_colorscheme_name(size_t index)
 {
@@ -56,15 +57,15 @@ void csg_face_color(const struct csg_colorscheme *scheme, const struct csg_leaf 
     }
     const float *base = cut ? scheme->cut : scheme->face;
     const float opaque[4] = {base[0], base[1], base[2], 1};
-    const float *fallback = layer == CSG_LAYER_HIGHLIGHT    ? csg_highlight_color
-                            : layer == CSG_LAYER_BACKGROUND ? csg_background_color
+    const float *fallback = layer == CSG_LAYER_HIGHLIGHT    ? highlight_color
+                            : layer == CSG_LAYER_BACKGROUND ? background_color
                                                             : opaque;
     const bool own = layer != CSG_LAYER_HIGHLIGHT;
     for (int i = 0; i < 4; i++)
         rgba[i] = own && leaf->color[i] >= 0 ? leaf->color[i] : fallback[i];
     const bool has_alpha = leaf->color[0] >= 0 || leaf->color[3] < 1;
     if (layer == CSG_LAYER_BACKGROUND && !has_alpha)
-        rgba[3] = csg_background_color[3];
+        rgba[3] = background_color[3];
 }
 
 double csg_light_factor(const struct csgcast_frustum *frustum, struct csg_vec3 normal)

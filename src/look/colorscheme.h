@@ -16,10 +16,6 @@ struct csg_colorscheme {
 /* NULL or a name in any case; NULL when there is no such scheme. */
 const struct csg_colorscheme *csg_colorscheme_find(const char *name);
 
-/* Colours of the % and # overlays of solids without color() (OpenSCAD's renderer.cc). */
-extern const float csg_background_color[4];
-extern const float csg_highlight_color[4];
-
 /*
  * The colour of a leaf's face before shading. subtracted: the leaf is. Its faces are then cuts, and
  * take minuend's colour where that is not NULL. r g b a; a component that color() leaves negative

@@ -67,7 +67,7 @@ bool csg_figure_square(struct csg_walk *walk, uint32_t node, const struct csg_ar
     if (!(size[0] > 0) || !(size[1] > 0) || !isfinite(size[0]) || !isfinite(size[1]) ||
         !is_regular(args, space))
         return add_empty(args, drawing);
-    const bool center = csg_args_bool(args, "center", false);
+    const bool center = csg_args_bool(args, "center");
     const struct csg_vec2 lo = {center ? -size[0] / 2 : 0, center ? -size[1] / 2 : 0};
     const struct csg_vec2 hi = {center ? size[0] / 2 : size[0], center ? size[1] / 2 : size[1]};
     const struct csg_box box = {{lo.x, lo.y, 0}, {hi.x, hi.y, 0}};

@@ -50,7 +50,7 @@ bool csg_flatten_offset(struct csg_walk *walk, uint32_t node, const struct csg_a
     struct csg_offset offset = {.join = CSG_JOIN_ROUND, .exact = !csg_facets_wanted(args, &facets)};
     offset.distance = csg_args_number(args, is_round ? "r" : "delta", 1, NULL);
     if (!is_round)
-        offset.join = csg_args_bool(args, "chamfer", false) ? CSG_JOIN_SQUARE : CSG_JOIN_MITER;
+        offset.join = csg_args_bool(args, "chamfer") ? CSG_JOIN_SQUARE : CSG_JOIN_MITER;
     if (!isfinite(offset.distance))
         return leave_empty(walk, drawing, draw);
     const int num = csg_facets_count(&facets, fabs(offset.distance));

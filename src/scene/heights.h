@@ -18,8 +18,6 @@ struct csg_heights {
     double floor; /* of what stands below them */
 };
 
-void csg_heights_finish(struct csg_heights *heights);
-
 enum csg_heights_result {
     CSG_HEIGHTS_DONE,
     CSG_HEIGHTS_BROKEN, /* no image that libpng reads */

@@ -120,7 +120,7 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
     struct csg_xml_error error = {0};
     const struct csg_svg_params params = {
         .dpi = dpi_of(source->args),
-        .center = csg_args_bool(source->args, "center", false),
+        .center = csg_args_bool(source->args, "center"),
         .xml = csg_import_xml(source->walk),
         .clip = csg_clip_is_there(source->walk) ? source->walk->builder->clip.module : NULL};
     if (!params.xml || !params.clip) {

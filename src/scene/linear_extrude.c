@@ -77,7 +77,7 @@ static void read_extrusion(const struct csg_args *args, struct extrusion *to)
         to->twist = 0;
     to->slices = slices >= 1 && slices < INT_MAX ? (int)slices : 0;
     to->facets = csg_args_facets(args);
-    to->center = csg_args_bool(args, "center", false);
+    to->center = csg_args_bool(args, "center");
     to->has_file = file && file->type == CSG_VALUE_STRING && file->num > 0;
 }
 

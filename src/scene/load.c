@@ -65,7 +65,7 @@ static struct csgcast_scene *read_document(const char *text, size_t size,
                                            const struct csgcast_scene_params *params,
                                            struct csg_origins *origins, struct csg_report *report)
 {
-    struct csg_document document;
+    struct csg_document document = {0};
     struct csg_handoff handoff;
     struct csgcast_scene *scene = NULL;
     csg_handoff_init(&handoff, params, &document);

@@ -203,7 +203,7 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
                            const struct csg_space *space, struct csg_drawing *drawing)
 {
     struct projection projection = {
-        .walk = walk, .space = space, .drawing = drawing, .cut = csg_args_bool(args, "cut", false)};
+        .walk = walk, .space = space, .drawing = drawing, .cut = csg_args_bool(args, "cut")};
     const uint32_t end = csg_walk_node(walk, node)->end, draw = (uint32_t)drawing->nodes.num;
     struct csg_part part = {0};
     struct csg_map inverse;

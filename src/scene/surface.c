@@ -12,13 +12,6 @@
 #include "scene/mesh_file.h"
 #include "scene/polyhedron.h"
 
-void csg_heights_finish(struct csg_heights *heights)
-{
-    free(heights->values.data);
-    free(heights->rows.data);
-    *heights = (struct csg_heights){0};
-}
-
 /* Of a row with a value that is none what stands before it counts. */
 static bool add_row(struct csg_heights *heights, struct csg_words *words, bool *is_good)
 {
@@ -204,8 +197,8 @@ static bool read_text(struct csg_walk *walk, uint32_t node, const char *name,
 bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                           bool in_boolean, struct csg_part *part)
 {
-    const bool center = csg_args_bool(args, "center", false);
-    const bool invert = csg_args_bool(args, "invert", false);
+    const bool center = csg_args_bool(args, "center");
+    const bool invert = csg_args_bool(args, "invert");
     struct csg_heights heights = {0};
     struct csg_bytes bytes = {0};
     const char *name;
@@ -216,6 +209,7 @@ bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg
                                          : read_text(walk, node, name, &bytes, &heights)) &&
              add_heights(walk, node, &heights, center, part);
     free(bytes.data);
-    csg_heights_finish(&heights);
+    free(heights.values.data);
+    free(heights.rows.data);
     return ok;
 }

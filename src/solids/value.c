@@ -49,14 +49,14 @@ double csg_args_number(const struct csg_args *args, const char *name, double fal
 }
 
 /* OpenSCAD lets any value stand for a truth value; here only numbers do beside true and false. */
-bool csg_args_bool(const struct csg_args *args, const char *name, bool fallback)
+bool csg_args_bool(const struct csg_args *args, const char *name)
 {
     const struct csg_value *value = csg_args_find(args, name);
     if (value && value->type == CSG_VALUE_BOOL)
         return value->boolean;
     if (value && value->type == CSG_VALUE_NUMBER)
         return value->number != 0;
-    return fallback;
+    return false;
 }
 
 bool csg_value_numbers(const struct csg_value *value, size_t num, double *numbers, double *rounding)

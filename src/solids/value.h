@@ -56,7 +56,9 @@ const struct csg_value *csg_args_find(const struct csg_args *args, const char *n
  * value's rounding added. */
 double csg_args_number(const struct csg_args *args, const char *name, double fallback,
                        double *rounding);
-bool csg_args_bool(const struct csg_args *args, const char *name, bool fallback);
+
+/* Whether the argument of that name is true, or a number that is not 0. */
+bool csg_args_bool(const struct csg_args *args, const char *name);
 
 /* Reads num numbers of a vector; false when value is NULL, not a vector of exactly num numbers. */
 bool csg_value_numbers(const struct csg_value *value, size_t num, double *numbers,

@@ -31,7 +31,7 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
 {
     double size[3], lo[3], hi[3];
     read_size(args, size, &shape->rounding);
-    const bool center = csg_args_bool(args, "center", false);
+    const bool center = csg_args_bool(args, "center");
     for (int i = 0; i < 3; i++) {
         if (!(size[i] > 0) || !isfinite(size[i]))
             return CSG_READ_EMPTY;

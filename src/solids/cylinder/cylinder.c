@@ -24,7 +24,7 @@ static void read_rings(const struct csg_args *args, struct csg_ring rings[2], do
     double roundings[2] = {r_rounding, r_rounding};
     const double r1 = csg_args_radius(args, "r1", "d1", r, &roundings[0]);
     const double r2 = csg_args_radius(args, "r2", "d2", r, &roundings[1]);
-    const bool center = csg_args_bool(args, "center", false);
+    const bool center = csg_args_bool(args, "center");
     rings[0] = (struct csg_ring){r1, center ? -h / 2 : 0};
     rings[1] = (struct csg_ring){r2, center ? h / 2 : h};
     *rounding = h_rounding + fmax(roundings[0], roundings[1]);

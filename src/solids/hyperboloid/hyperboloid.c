@@ -22,7 +22,7 @@ static bool read_measures(const struct csg_args *args, struct measures *m, doubl
         !csg_checked_positive(args, "h", &m->h, rounding) ||
         !csg_checked_number(args, "sheets", &m->sheets, NULL))
         return false;
-    m->center = csg_args_bool(args, "center", false);
+    m->center = csg_args_bool(args, "center");
     if (m->sheets != 1 && m->sheets != 2) {
         csg_args_error(args, "sheets is %g, but must be 1 or 2", m->sheets);
         return false;

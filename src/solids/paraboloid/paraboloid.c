@@ -21,7 +21,7 @@ static bool read_measures(const struct csg_args *args, struct measures *m, doubl
         !csg_checked_positive(args, "c", &m->c, rounding) ||
         !csg_checked_number(args, "h", &m->h, rounding))
         return false;
-    m->saddle = csg_args_bool(args, "saddle", false);
+    m->saddle = csg_args_bool(args, "saddle");
     const double lowest = m->saddle ? -m->c : 0;
     if (!(m->h > lowest)) {
         csg_args_error(args, "nothing is left: h is %g, the surface begins at z = %g", m->h,
