@@ -21,7 +21,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c
     ${PROJECT_SOURCE_DIR}/src/crowd/balls.c ${PROJECT_SOURCE_DIR}/src/crowd/tree_cast.c PROPERTIES
     COMPILE_OPTIONS "-ftree-vectorize;-fno-math-errno;-fno-trapping-math")
 
-# Convex hulls: hull() and minkowski() say so where Qhull is missing.
+# Convex hulls. Where Qhull is missing, hull() and minkowski() are left to openscad.
 option(CSGCAST_QHULL "Use the Qhull library for hull() and minkowski()" ON)
 set(qhull_library "")
 if(CSGCAST_QHULL)
@@ -32,8 +32,8 @@ if(CSGCAST_QHULL)
         target_include_directories(csgcast_objects SYSTEM PRIVATE ${QHULL_INCLUDE_DIR})
         target_compile_definitions(csgcast_objects PRIVATE CSGCAST_QHULL)
     else()
-        message(WARNING "Qhull is not installed: csgcast will refuse hull() and minkowski() "
-            "(Debian: libqhull-dev)")
+        message(WARNING "Qhull is not installed: csgcast will leave hull() and minkowski() to "
+            "openscad (Debian: libqhull-dev)")
     endif()
 endif()
 

@@ -8,7 +8,7 @@ if(PkgConfig_FOUND)
     pkg_check_modules(text_libraries QUIET IMPORTED_TARGET freetype2 harfbuzz fontconfig)
 endif()
 if(NOT text_libraries_FOUND)
-    message(WARNING "FreeType, HarfBuzz or fontconfig is not installed: csgcast will refuse text() "
+    message(WARNING "FreeType, HarfBuzz or fontconfig is not installed: csgcast will leave text() to openscad "
         "(Debian: libfreetype-dev libharfbuzz-dev libfontconfig-dev)")
     return()
 endif()
