@@ -5,156 +5,30 @@
 #include <string.h>
 
 #include "common/parallel.h"
+#include "crowd/class.h"
+#include "crowd/kin.h"
 #include "crowd/tree_cast.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
-#include "pack/precision.h"
-
-enum {
-    NO_CLASS = 0xff,
-    NUM_KEYS = CSG_CROWD_MAX_CLASSES,
-    DISCS_KEY = NUM_KEYS - 3,
-    ELLIPSOID_KEY,
-    BALL_KEY
-};
 
 struct builder {
     const struct csgcast_scene *scene;
-    uint8_t *keys;     /* per object: its class, or NO_CLASS, */
+    uint8_t *keys;     /* per object: csg_crowd_key, */
     float *needs;      /* ... and what csg_precision_need says of it then */
-    uint32_t *parents; /* per object: union-find over shared carriers */
+    uint32_t *parents; /* per object: see csg_kin_find */
 };
-
-/* The only solid of an object. Spare ones count as nothing: what is left is that solid, as it would
- * be nothing where they mattered. */
-static const struct csg_node *single_node(const struct csgcast_scene *scene,
-                                          const struct csg_object *object)
-{
-    const struct csg_node *nodes = scene->trees[object->layer].data, *single = NULL;
-    for (uint32_t i = object->begin; i < object->end; i++) {
-        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
-            continue;
-        if (single || nodes[i].negated)
-            return NULL;
-        single = &nodes[i];
-    }
-    return single;
-}
-
-static enum csg_outline measure(const struct csgcast_scene *scene, uint32_t leaf,
-                                struct csg_outline_ball *ball, double numbers[CSG_OUTLINE_MAX])
-{
-    const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric =
-        face.carrier == CSG_NO_CARRIER ? NULL
-                                       : csg_carrier_quadric(scene, scene->carriers, face.carrier);
-    return csg_outline_of(&scene->leaves[leaf].shape, quadric, ball, numbers);
-}
-
-static uint8_t key_of(const struct csgcast_scene *scene, const struct csg_object *object,
-                      float *need)
-{
-    const struct csg_node *node = single_node(scene, object);
-    if (!node || object->layer != CSG_LAYER_MODEL || object->paint != CSG_LAYER_MODEL)
-        return NO_CLASS;
-    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
-    const struct csg_face face = scene->carriers->quadric_faces[node->leaf];
-    if (!shape->convex || shape->num_planes > CSG_CROWD_MAX_PLANES ||
-        !csg_box_is_finite(&shape->bounds) || (!shape->has_quadric && !shape->num_planes) ||
-        (shape->has_quadric && face.flipped))
-        return NO_CLASS;
-    const struct csg_sharpness sharp =
-        csg_sharpness_of(scene, (size_t)(object - scene->objects->data));
-    *need = (float)csg_precision_need(&sharp);
-    if (sharp.least[CSG_FINE_ANGLE] < CSG_FINE_MAX_ANGLE)
-        return NO_CLASS;
-    struct csg_outline_ball ball;
-    double numbers[CSG_OUTLINE_MAX];
-    switch (measure(scene, node->leaf, &ball, numbers)) {
-    case CSG_OUTLINE_BALL:
-        return BALL_KEY;
-    case CSG_OUTLINE_ELLIPSOID:
-        return ELLIPSOID_KEY;
-    case CSG_OUTLINE_DISCS:
-        return DISCS_KEY;
-    default:
-        return (uint8_t)(2 * shape->num_planes + shape->has_quadric);
-    }
-}
-
-static uint32_t root_of(uint32_t *parents, uint32_t object)
-{
-    while (parents[object] != object) {
-        parents[object] = parents[parents[object]];
-        object = parents[object];
-    }
-    return object;
-}
-
-/* The smaller number becomes the root, so that roots do not depend on the order. */
-static void join(uint32_t *parents, uint32_t a, uint32_t b)
-{
-    a = root_of(parents, a);
-    b = root_of(parents, b);
-    if (a < b)
-        parents[b] = a;
-    else
-        parents[a] = b;
-}
-
-static void join_user(struct builder *builder, uint32_t *first, uint32_t object)
-{
-    if (*first == UINT32_MAX)
-        *first = object;
-    else
-        join(builder->parents, *first, object);
-}
-
-static void join_object(struct builder *builder, uint32_t index, uint32_t *planes,
-                        uint32_t *quadrics)
-{
-    const struct csgcast_scene *scene = builder->scene;
-    const struct csg_carriers *carriers = scene->carriers;
-    const struct csg_object *object = &scene->objects->data[index];
-    const struct csg_node *nodes = scene->trees[object->layer].data;
-    for (uint32_t i = object->begin; i < object->end; i++) {
-        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
-            continue;
-        const uint32_t leaf = nodes[i].leaf, quadric = carriers->quadric_faces[leaf].carrier;
-        for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1]; j++)
-            if (carriers->faces[j].carrier != CSG_NO_CARRIER)
-                join_user(builder, &planes[carriers->faces[j].carrier], index);
-        if (quadric != CSG_NO_CARRIER)
-            join_user(builder, &quadrics[quadric], index);
-    }
-}
-
-/* Objects with a carrier in common have equal depths on it; then file order decides. */
-static bool join_objects(struct builder *builder)
-{
-    const struct csg_carriers *carriers = builder->scene->carriers;
-    const size_t num = carriers->num_planes + carriers->num_quadrics;
-    uint32_t *first = malloc((num + 1) * sizeof *first);
-    if (!first)
-        return false;
-    memset(first, 0xff, num * sizeof *first);
-    for (uint32_t i = 0; i < builder->scene->objects->num; i++)
-        join_object(builder, i, first, first + carriers->num_planes);
-    free(first);
-    return true;
-}
 
 /* Classes are drawn one after the other: kin of several classes are left to file order. */
 static void part_classes(struct builder *builder)
 {
     const size_t num = builder->scene->objects->num;
     for (uint32_t i = 0; i < num; i++) {
-        const uint32_t root = root_of(builder->parents, i);
+        const uint32_t root = csg_kin_root(builder->parents, i);
         if (builder->keys[i] != builder->keys[root])
-            builder->keys[root] = NO_CLASS;
+            builder->keys[root] = CSG_CROWD_NO_CLASS;
     }
     for (uint32_t i = 0; i < num; i++)
-        builder->keys[i] = builder->keys[root_of(builder->parents, i)];
+        builder->keys[i] = builder->keys[csg_kin_root(builder->parents, i)];
 }
 
 /* Objects or members that one core looks at, at a time. */
@@ -170,7 +44,7 @@ static void find_keys(void *user, size_t chunk)
     struct builder *builder = user;
     const struct csg_objects *objects = builder->scene->objects;
     for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < objects->num; i++) {
-        builder->keys[i] = key_of(builder->scene, &objects->data[i], &builder->needs[i]);
+        builder->keys[i] = csg_crowd_key(builder->scene, &objects->data[i], &builder->needs[i]);
         builder->parents[i] = (uint32_t)i;
     }
 }
@@ -186,41 +60,28 @@ static bool classify(struct builder *builder)
     csg_parallel(builder->scene->num_threads, num_chunks(num), find_keys, builder);
     if (builder->scene->carriers->num_shared == 0)
         return true;
-    if (!join_objects(builder))
+    if (!csg_kin_find(builder->scene, builder->parents))
         return false;
     part_classes(builder);
     return true;
 }
 
-static struct csg_crowd_class class_of(uint32_t key)
-{
-    if (key == BALL_KEY)
-        return (struct csg_crowd_class){.outline = CSG_OUTLINE_BALL, .has_quadric = true};
-    if (key == ELLIPSOID_KEY)
-        return (struct csg_crowd_class){.outline = CSG_OUTLINE_ELLIPSOID, .has_quadric = true};
-    if (key == DISCS_KEY)
-        return (struct csg_crowd_class){
-            .outline = CSG_OUTLINE_DISCS, .has_quadric = true, .num_planes = 2};
-    return (struct csg_crowd_class){
-        .outline = CSG_OUTLINE_BOX, .has_quadric = key % 2 == 1, .num_planes = key / 2};
-}
-
 /* Counts members; a class's members are contiguous. */
 static void plan_classes(struct csg_crowd *crowd, const struct builder *builder,
-                         size_t next[NUM_KEYS], size_t *num_numbers)
+                         size_t next[CSG_CROWD_MAX_CLASSES], size_t *num_numbers)
 {
-    size_t counts[NUM_KEYS] = {0};
+    size_t counts[CSG_CROWD_MAX_CLASSES] = {0};
     const size_t num = builder->scene->objects->num;
     *num_numbers = 0;
     for (size_t i = 0; i < num; i++)
-        if (builder->keys[i] != NO_CLASS)
+        if (builder->keys[i] != CSG_CROWD_NO_CLASS)
             counts[builder->keys[i]]++;
-    for (uint32_t key = 0; key < NUM_KEYS; key++) {
+    for (uint32_t key = 0; key < CSG_CROWD_MAX_CLASSES; key++) {
         next[key] = crowd->num;
         if (!counts[key])
             continue;
         struct csg_crowd_class *class = &crowd->classes[crowd->num_classes++];
-        *class = class_of(key);
+        *class = csg_crowd_class_of(key);
         class->begin = crowd->num;
         class->end = crowd->num + counts[key];
         class->numbers = *num_numbers;
@@ -265,7 +126,7 @@ static void put_outline(struct csg_crowd *crowd, size_t at, const struct csgcast
     const size_t size = csg_outline_size(class->outline);
     struct csg_outline_ball ball;
     double numbers[CSG_OUTLINE_MAX];
-    measure(scene, crowd->leaf[at], &ball, numbers);
+    csg_crowd_measure(scene, crowd->leaf[at], &ball, numbers);
     crowd->x[at] = ball.center.x;
     crowd->y[at] = ball.center.y;
     crowd->z[at] = ball.center.z;
@@ -281,21 +142,22 @@ static void find_least_need(struct csg_crowd *crowd)
         crowd->least_need = fminf(crowd->least_need, crowd->need[i]);
 }
 
-static void fill(struct csg_crowd *crowd, struct builder *builder, size_t next[NUM_KEYS])
+static void fill(struct csg_crowd *crowd, struct builder *builder,
+                 size_t next[CSG_CROWD_MAX_CLASSES])
 {
     const struct csgcast_scene *scene = builder->scene;
     size_t num_others = 0;
     for (uint32_t i = 0; i < scene->objects->num; i++) {
         const uint8_t key = builder->keys[i];
-        if (key == NO_CLASS) {
+        if (key == CSG_CROWD_NO_CLASS) {
             crowd->others[num_others++] = i;
             continue;
         }
         const size_t at = next[key]++;
         const struct csg_object *object = &scene->objects->data[i];
         crowd->object[at] = i;
-        crowd->leaf[at] = single_node(scene, object)->leaf;
-        const uint32_t root = root_of(builder->parents, i);
+        crowd->leaf[at] = csg_crowd_only_node(scene, object)->leaf;
+        const uint32_t root = csg_kin_root(builder->parents, i);
         crowd->kin[at] = root == i ? CSG_CROWD_NO_KIN : root;
         crowd->need[at] = builder->needs[i];
     }
@@ -362,7 +224,7 @@ struct csg_crowd *csg_crowd_create(const struct csgcast_scene *scene)
 {
     struct builder builder = {.scene = scene};
     struct csg_crowd *crowd = calloc(1, sizeof *crowd);
-    size_t next[NUM_KEYS];
+    size_t next[CSG_CROWD_MAX_CLASSES];
     bool ok = crowd && classify(&builder);
     if (ok) {
         size_t num_numbers;
@@ -398,10 +260,10 @@ void csg_crowd_list_members(const struct csg_crowd *crowd, uint32_t *members)
 static bool keeps_class(const struct csg_crowd *crowd, const struct csgcast_scene *scene,
                         uint32_t object, uint32_t member, float *need)
 {
-    const uint8_t key = key_of(scene, &scene->objects->data[object], need);
-    if (member == CSG_CROWD_NO_MEMBER || key == NO_CLASS)
-        return member == CSG_CROWD_NO_MEMBER && key == NO_CLASS;
-    const struct csg_crowd_class now = class_of(key), *before = class_at(crowd, member);
+    const uint8_t key = csg_crowd_key(scene, &scene->objects->data[object], need);
+    if (member == CSG_CROWD_NO_MEMBER || key == CSG_CROWD_NO_CLASS)
+        return member == CSG_CROWD_NO_MEMBER && key == CSG_CROWD_NO_CLASS;
+    const struct csg_crowd_class now = csg_crowd_class_of(key), *before = class_at(crowd, member);
     return now.outline == before->outline && now.has_quadric == before->has_quadric &&
            now.num_planes == before->num_planes;
 }
