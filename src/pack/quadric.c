@@ -11,15 +11,13 @@
  */
 
 #include "pack/ball.h"
+#include "pack/conic.h"
 
 #include <string.h>
 
 /* Crossings further than this many times the leaf's depth apart are found as c/q, not q/a: beyond
  * it the subtraction of mid and sqrt(h) costs more than two bits. */
 #define STIFF_RATIO 4.0
-
-/* A conic's centre is near when it is within this many times the leaf's radius of its pixel. */
-#define CENTRED_RATIO 2.0
 
 /* Share of its terms below which a has no digits left, and rays meet the surface once. */
 #define DEGENERATE_A 1e-13
@@ -150,113 +148,12 @@ static struct quadratic quadratic_of(const struct pencil *pencil, double key_spa
     return f;
 }
 
-/*
- * A conic in its principal axes, S = c0 + x' (cx +- x') + y' (cy + ly y'), where
- * x' = size (ex . d) + ox and y' = size (ey . d) + oy, d from the leaf's pixel, and ey is ex turned
- * left by a quarter. Centred where the conic's centre is near; where it is far off, c0 would be
- * the difference of large numbers, and the linear terms stay.
- */
-struct axes {
-    double ex[2], ey[2];
-    double size;
-    double ox, oy, c0, cx, cy, ly;
-    int sign_x;
-};
-
-/* Unit eigenvector of the larger eigenvalue, by size, of [xx xy; xy yy]. */
-static void major_axis(double xx, double xy, double yy, double axis[2])
-{
-    const double angle = 0.5 * atan2(2 * xy, xx - yy);
-    axis[0] = cos(angle);
-    axis[1] = sin(angle);
-    const double along =
-        xx * axis[0] * axis[0] + 2 * xy * axis[0] * axis[1] + yy * axis[1] * axis[1];
-    if (fabs(xx + yy - along) > fabs(along)) {
-        const double x = axis[0];
-        axis[0] = -axis[1];
-        axis[1] = x;
-    }
-}
-
-static int sign_of(double value)
-{
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
-/* One axis of the conic, l u^2 + 2 g u: moves the origin to the extremum, or keeps the slope. */
-static void centre(double l, double g, double pixels, double *offset, double *slope, double *c0)
-{
-    const bool near = fabs(g) <= CENTRED_RATIO * pixels * fabs(l) && l != 0;
-    *offset = near ? g / l : 0;
-    *slope = near ? 0 : 2 * g;
-    *c0 -= near ? g * g / l : 0;
-}
-
-/* pixels: the leaf's radius on the screen; curvature too weak to show over it is dropped. */
-static struct axes axes_of(const double s[6], double pixels)
-{
-    struct axes axes = {.c0 = s[0]};
-    const double xx = s[3], xy = 0.5 * s[4], yy = s[5];
-    major_axis(xx, xy, yy, axes.ex);
-    axes.ey[0] = -axes.ex[1];
-    axes.ey[1] = axes.ex[0];
-    const double *ex = axes.ex, *ey = axes.ey;
-    double lx = xx * ex[0] * ex[0] + 2 * xy * ex[0] * ex[1] + yy * ex[1] * ex[1];
-    double ly = xx * ey[0] * ey[0] + 2 * xy * ey[0] * ey[1] + yy * ey[1] * ey[1];
-    const double gx = 0.5 * (s[1] * ex[0] + s[2] * ex[1]);
-    const double gy = 0.5 * (s[1] * ey[0] + s[2] * ey[1]);
-    const double rest = fabs(s[0]) + pixels * (fabs(gx) + fabs(gy));
-    if (fabs(lx) * pixels * pixels < 1e-13 * rest)
-        lx = 0;
-    if (fabs(ly) < 1e-14 * fabs(lx) || lx == 0)
-        ly = 0; /* rounding of the products above */
-    axes.size = lx != 0 ? sqrt(fabs(lx)) : 1 / pixels;
-    axes.sign_x = sign_of(lx);
-    centre(lx, gx, pixels, &axes.ox, &axes.cx, &axes.c0);
-    centre(ly, gy, pixels, &axes.oy, &axes.cy, &axes.c0);
-    axes.ox *= axes.size;
-    axes.oy *= axes.size;
-    axes.cx /= axes.size;
-    axes.cy /= axes.size;
-    axes.ly = ly / (axes.size * axes.size);
-    return axes;
-}
-
-/* Within the range of float. */
-static double clamped(double value)
-{
-    return fmin(fmax(value, -3e38), 3e38);
-}
-
 /* An affine term c0 + cx x + cy y around the leaf's pixel, moved to the object's. */
 static void put_affine(double texel[4], double c0, double cx, double cy, const double shift[2])
 {
-    texel[0] = clamped(c0 - cx * shift[0] - cy * shift[1]);
-    texel[1] = clamped(cx);
-    texel[2] = clamped(cy);
-}
-
-/* c in the axes' coordinates: d = ex (x' - ox) / size + ey (y' - oy) / size. */
-static void put_conic(double texels[2][4], const double c[6], const struct axes *axes, double scale)
-{
-    const double ux[2] = {axes->ex[0] / axes->size, axes->ex[1] / axes->size};
-    const double uy[2] = {axes->ey[0] / axes->size, axes->ey[1] / axes->size};
-    const double base[2] = {-axes->ox * ux[0] - axes->oy * uy[0],
-                            -axes->ox * ux[1] - axes->oy * uy[1]};
-    const double c0 = c[0] + c[1] * base[0] + c[2] * base[1] + c[3] * base[0] * base[0] +
-                      c[4] * base[0] * base[1] + c[5] * base[1] * base[1];
-    const double grad[2] = {c[1] + 2 * c[3] * base[0] + c[4] * base[1],
-                            c[2] + c[4] * base[0] + 2 * c[5] * base[1]};
-    texels[0][0] = clamped(scale * c0);
-    texels[0][1] = clamped(scale * (grad[0] * ux[0] + grad[1] * ux[1]));
-    texels[0][2] = clamped(scale * (grad[0] * uy[0] + grad[1] * uy[1]));
-    texels[1][0] =
-        clamped(scale * (c[3] * ux[0] * ux[0] + c[4] * ux[0] * ux[1] + c[5] * ux[1] * ux[1]));
-    texels[1][1] =
-        clamped(scale * (2 * c[3] * ux[0] * uy[0] + c[4] * (ux[0] * uy[1] + ux[1] * uy[0]) +
-                         2 * c[5] * ux[1] * uy[1]));
-    texels[1][2] =
-        clamped(scale * (c[3] * uy[0] * uy[0] + c[4] * uy[0] * uy[1] + c[5] * uy[1] * uy[1]));
+    texel[0] = csg_conic_clamp(c0 - cx * shift[0] - cy * shift[1]);
+    texel[1] = csg_conic_clamp(cx);
+    texel[2] = csg_conic_clamp(cy);
 }
 
 static int region_code(const struct csg_screen *screen, const struct csg_quadric *quadric, double a,
@@ -354,21 +251,21 @@ void csg_screen_quadric(const struct csg_screen *screen, struct csg_pixel at,
     double s[6];
     for (int i = 0; i < 6; i++)
         s[i] = f.s[i] * scale * scale;
-    const struct axes axes = axes_of(s, pixels);
+    const struct csg_conic_axes axes = csg_conic_axes_of(s, pixels);
     memset(texels, 0, CSG_QUADRIC_TEXELS * sizeof *texels);
     put_affine(texels[0], scale * f.b[0], scale * f.b[1], scale * f.b[2], shift);
     put_affine(texels[1], axes.ox, axes.size * axes.ex[0], axes.size * axes.ex[1], shift);
     put_affine(texels[2], axes.oy, axes.size * axes.ey[0], axes.size * axes.ey[1], shift);
-    texels[1][3] = clamped(axes.c0);
-    texels[2][1] = clamped(axes.cx); /* y' takes its direction from x' */
-    texels[2][2] = clamped(axes.cy);
-    texels[2][3] = clamped(axes.ly);
+    texels[1][3] = csg_conic_clamp(axes.c0);
+    texels[2][1] = csg_conic_clamp(axes.cx); /* y' takes its direction from x' */
+    texels[2][2] = csg_conic_clamp(axes.cy);
+    texels[2][3] = csg_conic_clamp(axes.ly);
     int code = region_code(screen, quadric, f.a, flipped, convex, sheet);
     code += axes.sign_x > 0 ? CSG_QUADRIC_X_PLUS : axes.sign_x < 0 ? CSG_QUADRIC_X_MINUS : 0;
     if (stiff) {
         code += CSG_QUADRIC_STIFF;
-        put_conic(&texels[3], f.c, &axes, scale);
-        texels[3][3] = clamped(1 / (scale * f.a));
+        csg_conic_put(&texels[3], f.c, &axes, scale);
+        texels[3][3] = csg_conic_clamp(1 / (scale * f.a));
     }
     texels[0][3] = code;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pack/record.h"
 #include "pack/surface_face.h"
 
 /* Cells are squares of a power of two pixels; or single pixels, whose lists have no edges. */
@@ -231,7 +232,7 @@ static void put_entry(const struct record *record, const struct entry *entry, fl
     const struct csg_view_face *face = &record->faces.data[entry->face];
     const double plane[4] = {face->plane[0], face->plane[1], face->plane[2],
                              (double)face->normal * (entry->num_edges ? 1 : entry->turns)};
-    to = csg_terms_put(record->part.terms, plane, to);
+    to = csg_record_put_term(record->part.terms, plane, to);
     for (int i = 0; i < entry->num_edges; i++)
         memcpy(to + 4 * i, face->edges[entry->first_edge + i].texel, 4 * sizeof *to);
 }

@@ -68,31 +68,9 @@ static inline const double *csg_terms_texel(const struct csg_terms *terms,
     return terms->texels.data + 4 * (leaf->texels + i);
 }
 
-/* Which of a leaf's planes a record takes, by their place among the leaf's texels; NULL: all.
- * Also whether it takes the quadric. */
-struct csg_record_filter {
-    const bool *planes;
-    bool quadric;
-};
-
 /* The texels of the quadric of a leaf: csg_screen_quadric of its carrier, and csg_screen_base where
  * base is not NULL. */
 void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_scene *scene,
                          uint32_t leaf, double texels[CSG_QUADRIC_TEXELS][4], float *base);
-
-/* Appends a step's record to the frame, but for surfaces, which pack/surface_record.h does. filter
- * NULL: everything. */
-bool csg_terms_add_record(struct csg_terms *terms, const struct csg_step *step,
-                          const struct csg_record_filter *filter);
-
-/* A term's texel or, for programs in double, its texel and that of its low part. Returns what is
- * behind them. */
-float *csg_terms_put(const struct csg_terms *terms, const double *term, float *to);
-
-/* Appends a CSG_RECORD_BOUND: nothing behind it matters before key. */
-bool csg_terms_add_bound(struct csg_terms *terms, double key);
-
-/* Room for num texels at the end of the frame's, zeroed; NULL: out of memory. */
-float *csg_frame_add_texels(struct csg_frame *frame, size_t num);
 
 #endif

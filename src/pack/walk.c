@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/walk.h"
 
+#include "pack/record.h"
+
 /* The nearest point of a box may be this much nearer than its middle, at most. */
 #define MAX_DEPTH_RATIO 50.0
 
@@ -69,10 +71,11 @@ static bool put_leaf(struct csg_terms *terms, const struct csg_leaf_terms *leaf)
     for (uint32_t i = 0; i < num; i++) {
         const double *texel = csg_terms_texel(terms, leaf, i);
         const uint32_t face = (uint32_t)fabs(texel[3]) - 1 - first_face;
-        csg_terms_put(terms, texel, header + 4 * (1 + face));
+        csg_record_put_term(terms, texel, header + 4 * (1 + face));
     }
     for (uint32_t i = 0; i < CSG_QUADRIC_TEXELS && has_quadric; i++)
-        csg_terms_put(terms, csg_terms_texel(terms, leaf, num + i), header + 4 * (1 + num + i));
+        csg_record_put_term(terms, csg_terms_texel(terms, leaf, num + i),
+                            header + 4 * (1 + num + i));
     return true;
 }
 

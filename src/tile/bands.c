@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "pack/record.h"
+
 /* Rounding of the shader's conics, with room to spare: relative to their terms. */
 #define FLOAT_MARGIN 4e-6
 
@@ -191,12 +193,12 @@ static float *put_band(const struct csg_terms *terms, const struct csg_band *ban
     to[3] = band->inner;
     put_conic(bands, band->circles[0], tile, to + 4);
     put_conic(bands, band->circles[1], tile, to + 10);
-    to = csg_terms_put(terms, band->planes[0], to + 16);
+    to = csg_record_put_term(terms, band->planes[0], to + 16);
     if (band->flat)
         return to;
-    to = csg_terms_put(terms, band->planes[1], to);
+    to = csg_record_put_term(terms, band->planes[1], to);
     for (int i = 0; i < (terms->stiff ? CSG_QUADRIC_TEXELS : 3); i++)
-        to = csg_terms_put(terms, quadric_of(terms, band) + (size_t)4 * (size_t)i, to);
+        to = csg_record_put_term(terms, quadric_of(terms, band) + (size_t)4 * (size_t)i, to);
     return to;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pack/record.h"
 #include "pack/surface_record.h"
 #include "tile/clauses.h"
 #include "tile/tiler.h"
@@ -144,9 +145,9 @@ static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_
 {
     const struct csg_step *step = &tiler->scan.program.data[i];
     if (step->flags & CSG_RECORD_BOUND)
-        return csg_terms_add_bound(tiler->terms, tiler->scan.bounds.data[i]);
+        return csg_record_add_bound(tiler->terms, tiler->scan.bounds.data[i]);
     if (step->flags & CSG_RECORD_POP)
-        return csg_terms_add_record(tiler->terms, step, NULL);
+        return csg_record_add(tiler->terms, step, NULL);
     if (step->flags & CSG_RECORD_BANDS)
         return csg_band_list_put(&task->bands, tiler->terms, step, box);
     if (step->flags & CSG_RECORD_SURFACE)
@@ -159,7 +160,7 @@ static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_
     filter.quadric = csg_range_filter(tiler->terms, leaf, csg_tiler_range(tiler, step->leaf), box,
                                       tiler->planes.data);
     filter.planes = tiler->planes.data;
-    return csg_terms_add_record(tiler->terms, step, &filter);
+    return csg_record_add(tiler->terms, step, &filter);
 }
 
 static bool is_surface_alone(const struct csg_tiler *tiler)
