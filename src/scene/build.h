@@ -14,7 +14,7 @@
 
 #include "csg/scene.h"
 #include "scene/nodes.h"
-#include "scene/parser.h"
+#include "scene/document.h"
 
 #define CSG_NO_LEAF UINT32_MAX
 

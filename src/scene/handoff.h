@@ -12,7 +12,7 @@
 #include "polyhedra/mesh.h"
 #include "common/file.h"
 #include "scene/nodes.h"
-#include "scene/parser.h"
+#include "scene/document.h"
 
 /* What openscad made of a text. */
 struct csg_handoff_result {

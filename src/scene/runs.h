@@ -9,7 +9,7 @@
  * everything, so that messages come in the order of the text.
  */
 
-#include "scene/parser.h"
+#include "scene/document.h"
 #include "scene/twins.h"
 
 struct csg_run {

@@ -3,7 +3,7 @@
 #define CSG_SCENE_SUBTREE_H
 
 #include "common/file.h"
-#include "scene/parser.h"
+#include "scene/document.h"
 
 /* A subtree of a document as text that OpenSCAD reads as it was meant. Zero-initialise it. */
 struct csg_subtree {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef CSG_SCENE_PARSER_H
-#define CSG_SCENE_PARSER_H
+#ifndef CSG_SCENE_DOCUMENT_H
+#define CSG_SCENE_DOCUMENT_H
 
 /*
  * From text to nodes. The nodes lie in one array in the order of the text, which is pre-order; what
