@@ -78,9 +78,10 @@ static bool assign_all(struct csg_carrier_builder *builder)
     builder->keeps = builder->keeps && can_keep(builder);
     builder->is_alone = builder->leaves.num == 1 &&
                         !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
-    if (!builder->is_alone && (!csg_carrier_start_index(builder) ||
+    if (!builder->is_alone && (!csg_carrier_outline(builder) ||
                                !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
-                                                builder->largest_rounding)))
+                                                builder->largest_rounding) ||
+                               !csg_carrier_start_index(builder)))
         return false;
     if (!csg_carriers_allocate_faces(builder) ||
         (!builder->is_alone && !builder->keeps && !csg_loners_find(&builder->loners, builder)))

@@ -57,15 +57,16 @@ struct csg_carrier_builder {
     bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
     struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
-    struct csg_plane_table others;  /* planes that were met and are no carrier's own */
-    bool *wanted;                   /* by leaf: it is in leaves */
-    bool is_alone;                  /* the only leaf: no face can coincide with another */
-    struct csg_remote remote;       /* faces of surfaces that have no place in carriers->faces */
-    struct csg_loners loners;       /* neither in the index nor in the table */
-    double radius;                  /* of the finite part of the scene; where it keeps, with room */
-    double largest_rounding;        /* of the leaves at hand */
-    double most_rounding;           /* ... and where it keeps, of those that may come */
-    struct csg_carrier_reach reach; /* of the index */
+    struct csg_plane_table others;     /* planes that were met and are no carrier's own */
+    bool *wanted;                      /* by leaf: it is in leaves */
+    bool is_alone;                     /* the only leaf: no face can coincide with another */
+    struct csg_remote remote;          /* faces of surfaces that have no place in carriers->faces */
+    struct csg_loners loners;          /* neither in the index nor in the table */
+    struct csg_vec3 center;            /* of the finite part of the scene */
+    double radius;                     /* the same; where it keeps, with room */
+    double largest_rounding;           /* of the leaves at hand */
+    double most_rounding;              /* ... and where it keeps, of those that may come */
+    struct csg_carrier_reach reach;    /* of the index */
     CSG_ARRAY(struct csg_rank) leaves; /* in their order */
 };
 
@@ -82,7 +83,9 @@ void csg_carrier_mark_wanted(const struct csgcast_scene *scene, bool *wanted);
 /* Fills leaves, in the order of their ranks, and wanted. false: out of memory. */
 bool csg_carrier_rank_leaves(struct csg_carrier_builder *builder);
 
-/* For the leaves that are wanted. false: out of memory. */
+/* For the leaves that are wanted: first their center, radius and roundings; then, with what is
+ * remote of their surfaces, the index. false: out of memory. */
+bool csg_carrier_outline(struct csg_carrier_builder *builder);
 bool csg_carrier_start_index(struct csg_carrier_builder *builder);
 
 /* Where edits follow, the index is made for a scene so many times larger, and rounded so much more

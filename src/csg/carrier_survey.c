@@ -129,15 +129,19 @@ static void note_spread(struct extremes *most, const struct csg_carrier_builder 
     merge_spread(&most->spreads[csg_carrier_width(&spread)], &spread);
 }
 
-/* The faces of a surface, each as large as itself, or less. */
+/* The faces of a surface that are looked up, each as large as itself, or less. */
 static void note_surface(struct extremes *most, const struct csg_carrier_builder *builder,
-                         const struct csg_shape *shape)
+                         uint32_t leaf)
 {
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const struct csg_surface *surface = shape->surface;
+    const uint8_t *near = builder->remote.near[leaf];
     struct csg_map inverse = csg_map_identity;
     csg_map_invert(&shape->frame, &inverse);
     const double stretch = csg_map_stretch(&inverse);
-    for (size_t i = 0; i < surface->planes.num; i++) {
+    for (size_t i = 0; near && i < surface->planes.num; i++) {
+        if (!near[i])
+            continue;
         const struct csg_surface_extent extent = {
             csg_map_point(&shape->frame, surface->extents[i].center),
             surface->extents[i].radius / stretch};
@@ -154,7 +158,7 @@ static void note_leaf(struct extremes *most, const struct csg_carrier_builder *b
     most->reach.slack = fmax(most->reach.slack, slack_of(builder, leaf, &extent));
     most->reach.tolerance = fmax(most->reach.tolerance, double_tolerance(&extent));
     if (shape->surface)
-        note_surface(most, builder, shape);
+        note_surface(most, builder, leaf);
     else if (shape->num_planes > 0)
         note_spread(most, builder, &extent);
 }
@@ -195,35 +199,48 @@ static struct extremes find_extremes(const struct survey *survey, size_t num_chu
 
 /* ---- the index ---------------------------------------------------------------------------- */
 
-static bool start_index(struct csg_carrier_builder *builder, const struct survey *survey,
-                        size_t num_chunks)
+static size_t count_chunks(const struct csg_carrier_builder *builder)
 {
-    const double room = builder->keeps ? CSG_CARRIER_ROOM : 1;
-    const struct outline outline = find_outline(survey, num_chunks);
+    return (builder->scene->num_leaves + CHUNK - 1) / CHUNK;
+}
+
+static double room_of(const struct csg_carrier_builder *builder)
+{
+    return builder->keeps ? CSG_CARRIER_ROOM : 1;
+}
+
+bool csg_carrier_outline(struct csg_carrier_builder *builder)
+{
+    const size_t num_chunks = count_chunks(builder);
+    const double room = room_of(builder);
+    const struct survey survey = {.builder = builder,
+                                  .outlines = malloc((num_chunks + 1) * sizeof *survey.outlines)};
+    if (!survey.outlines)
+        return false;
+    const struct outline outline = find_outline(&survey, num_chunks);
     const struct csg_box *box = &outline.box;
     const bool empty = csg_box_is_empty(box);
-    const struct csg_vec3 center =
-        empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box->lo, box->hi));
+    builder->center = empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box->lo, box->hi));
     builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box->hi, box->lo));
     builder->largest_rounding = outline.rounding;
     builder->most_rounding = room * outline.rounding;
-
-    const struct extremes most = find_extremes(survey, num_chunks, room);
-    const struct csg_carrier_space space =
-        csg_carrier_space(center, builder->radius, &most.reach, most.spreads);
-    builder->reach = most.reach;
-    return csg_index_start(&builder->index, &space);
+    free(survey.outlines);
+    return true;
 }
 
 bool csg_carrier_start_index(struct csg_carrier_builder *builder)
 {
-    const size_t num_chunks = (builder->scene->num_leaves + CHUNK - 1) / CHUNK;
-    const struct survey survey = {builder, malloc((num_chunks + 1) * sizeof *survey.outlines),
-                                  malloc((num_chunks + 1) * sizeof *survey.extremes)};
-    const bool ok = survey.outlines && survey.extremes && start_index(builder, &survey, num_chunks);
-    free(survey.outlines);
+    const size_t num_chunks = count_chunks(builder);
+    const struct survey survey = {.builder = builder,
+                                  .extremes = malloc((num_chunks + 1) * sizeof *survey.extremes)};
+    if (!survey.extremes)
+        return false;
+    const struct extremes most = find_extremes(&survey, num_chunks, room_of(builder));
+    const struct csg_carrier_space space =
+        csg_carrier_space(builder->center, builder->radius, &most.reach, most.spreads);
+    builder->reach = most.reach;
     free(survey.extremes);
-    return ok;
+    return csg_index_start(&builder->index, &space);
 }
 
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf)

@@ -31,8 +31,9 @@ static void fill_simple(struct csg_surface *surface)
                               : (struct csg_own_face){i, false};
 }
 
-/* Most faces of large surfaces: nobody needs to look for what they lie upon. */
-static bool find_loners(struct csg_carrier_builder *builder, const struct csg_surface *surface)
+/* Of all faces of the surface; and which most of a large one are, so that nobody looks for what they
+ * lie upon. */
+static bool start_index(struct csg_carrier_builder *builder, const struct csg_surface *surface)
 {
     const size_t num = surface->planes.num;
     uint8_t *near = malloc(num + 1);
@@ -42,7 +43,8 @@ static bool find_loners(struct csg_carrier_builder *builder, const struct csg_su
     memset(near, 1, num);
     builder->remote.near = &near;
     builder->carriers->face_begin = face_begin;
-    const bool ok = csg_loners_find(&builder->loners, builder);
+    const bool ok = csg_carrier_outline(builder) && csg_carrier_start_index(builder) &&
+                    csg_loners_find(&builder->loners, builder);
     builder->carriers->face_begin = NULL;
     builder->remote.near = NULL;
     free(near);
@@ -54,7 +56,7 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
 {
     uint32_t *ranked = csg_carrier_rank_faces(surface->extents, surface->planes.num);
     uint32_t *firsts = malloc((surface->planes.num + 1) * sizeof *firsts); /* by carrier */
-    bool ok = ranked && firsts && csg_carrier_start_index(builder) && find_loners(builder, surface);
+    bool ok = ranked && firsts && start_index(builder, surface);
     for (size_t i = 0; i < surface->planes.num && ok; i++) {
         const uint32_t plane = ranked[i];
         const struct csg_leaf_extent extent =

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/parallel.h"
 #include "solids/shape.h"
 
 /* Triangles are cut off nearer than this share of the surface's distance and size. */
@@ -16,6 +17,9 @@
 
 /* Along the ray a carrier may lie off its face by this many times the rounding of the file. */
 #define SLACK_ROUNDINGS 16.0
+
+/* Fewer points are projected before threads have started. */
+#define MIN_POINTS 10000
 
 /* Pixel coordinates times w, w and the distance along the view axis. */
 struct homogeneous {
@@ -90,11 +94,19 @@ static struct csg_view_node view_triangle(const struct csg_surface_view *view, u
                                   -least(-p[0]->key, -p[1]->key, -p[2]->key)};
 }
 
-/* Whether a pixel's centre is within; centres are at half numbers. */
+/* Whether a half number is between lo and hi. What is added and taken away rounds to a whole number;
+ * floor() is a call where processors need not have the instruction. */
+static bool holds_half(double lo, double hi)
+{
+    static const double whole = 0x1.8p52;
+    const double top = hi + 0.5, nearest = (top + whole) - whole;
+    return (nearest > top ? nearest - 1 : nearest) >= lo + 0.5;
+}
+
+/* Whether a pixel's centre is within. */
 static bool holds_center(const struct csg_view_node *node)
 {
-    return floor(node->hi[0] + 0.5) >= ceil(node->lo[0] + 0.5) &&
-           floor(node->hi[1] + 0.5) >= ceil(node->lo[1] + 0.5);
+    return holds_half(node->lo[0], node->hi[0]) && holds_half(node->lo[1], node->hi[1]);
 }
 
 static void fill_nodes(struct csg_surface_view *view)
@@ -115,8 +127,7 @@ static void fill_nodes(struct csg_surface_view *view)
     }
 }
 
-static void set_near(struct csg_surface_view *view, const struct csg_screen *screen,
-                     const struct csg_shape *shape)
+static void set_near(struct csg_surface_view *view, const struct csg_screen *screen)
 {
     const struct csg_box box = csg_box_map(&view->place, &view->surface->nodes.data[0].box);
     const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
@@ -125,44 +136,73 @@ static void set_near(struct csg_surface_view *view, const struct csg_screen *scr
     const double t = fmax(distance - radius, NEAR_SHARE * radius);
     view->tnear = screen->orthographic ? -INFINITY : NEAR_SHARE * (radius + distance);
     view->slack =
-        SLACK_ROUNDINGS * shape->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
+        SLACK_ROUNDINGS * view->rounding * (screen->orthographic ? 1 : screen->b / (t * t));
     view->turns =
         screen->orthographic ? 0 : csg_surface_winding(view->surface, &view->place, screen->origin);
 }
 
-bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,
-                           struct csg_pixel at, const struct csg_shape *shape, uint32_t leaf,
-                           bool spare)
+void csg_surface_view_init(struct csg_surface_view *view, const struct csg_shape *shape,
+                           uint32_t leaf, bool spare)
 {
-    const struct csg_surface *surface = shape->surface;
-    *view = (struct csg_surface_view){.surface = surface,
+    *view = (struct csg_surface_view){.surface = shape->surface,
                                       .leaf = leaf,
+                                      .spare = spare,
+                                      .rounding = shape->rounding,
                                       .place = shape->frame,
                                       .inverse = csg_map_identity,
                                       .is_mirrored = csg_map_determinant(&shape->frame) < 0};
     csg_map_invert(&shape->frame, &view->inverse);
-    view->points = malloc((surface->points.num + 1) * sizeof *view->points);
+}
+
+struct projection {
+    struct csg_surface_view *views;
+    const struct csg_screen *screen;
+    struct csg_pixel at;
+};
+
+/* A view without points is one for which there was no memory. */
+static void project_view(void *user, size_t task)
+{
+    const struct projection *projection = user;
+    struct csg_surface_view *view = &projection->views[task];
+    const struct csg_surface *surface = view->surface;
     view->nodes = malloc((surface->nodes.num + 1) * sizeof *view->nodes);
-    if (!view->points || !view->nodes) {
-        csg_surface_view_finish(view);
-        return false;
-    }
-    if (surface->nodes.num && !spare)
-        set_near(view, screen, shape);
+    view->points = view->nodes ? malloc((surface->points.num + 1) * sizeof *view->points) : NULL;
+    if (!view->points)
+        return;
+    if (surface->nodes.num && !view->spare)
+        set_near(view, projection->screen);
     else
         view->tnear = INFINITY; /* nothing is in front */
     for (size_t i = 0; i < surface->points.num; i++)
-        view->points[i] =
-            view_point(view, screen, at, csg_map_point(&view->place, surface->points.data[i]));
+        view->points[i] = view_point(view, projection->screen, projection->at,
+                                     csg_map_point(&view->place, surface->points.data[i]));
     fill_nodes(view);
+}
+
+bool csg_surface_views_project(const struct csg_surface_views *views,
+                               const struct csg_screen *screen, struct csg_pixel at,
+                               int num_threads)
+{
+    const struct projection projection = {views->data, screen, at};
+    size_t num_points = 0;
+    for (size_t i = 0; i < views->num; i++)
+        num_points += views->data[i].surface->points.num;
+    csg_parallel(num_points < MIN_POINTS ? 1 : num_threads, views->num, project_view,
+                 (void *)&projection);
+    for (size_t i = 0; i < views->num; i++)
+        if (!views->data[i].points)
+            return false;
     return true;
 }
 
-void csg_surface_view_finish(struct csg_surface_view *view)
+void csg_surface_views_clear(struct csg_surface_views *views)
 {
-    free(view->points);
-    free(view->nodes);
-    *view = (struct csg_surface_view){0};
+    for (size_t i = 0; i < views->num; i++) {
+        free(views->data[i].points);
+        free(views->data[i].nodes);
+    }
+    views->num = 0;
 }
 
 static bool overlaps(const struct csg_view_node *node, const struct csg_view_rect *rect)

@@ -27,8 +27,11 @@ struct csg_view_node {
 struct csg_surface_view {
     const struct csg_surface *surface;
     uint32_t leaf;
+    bool spare;                    /* the leaf counts as nothing */
+    double rounding;               /* of the leaf */
     struct csg_map place, inverse; /* of the surface */
     bool is_mirrored;              /* by that place */
+    /* What follows is there once it is projected. */
     struct csg_view_point *points;
     struct csg_view_node *nodes;
     double tnear; /* distance along the view axis where triangles are cut off */
@@ -36,11 +39,19 @@ struct csg_surface_view {
     int turns;    /* of the surface around the eye */
 };
 
-/* spare: the leaf counts as nothing. false: out of memory. */
-bool csg_surface_view_init(struct csg_surface_view *view, const struct csg_screen *screen,
-                           struct csg_pixel at, const struct csg_shape *shape, uint32_t leaf,
-                           bool spare);
-void csg_surface_view_finish(struct csg_surface_view *view);
+void csg_surface_view_init(struct csg_surface_view *view, const struct csg_shape *shape,
+                           uint32_t leaf, bool spare);
+
+struct csg_surface_views {
+    struct csg_surface_view *data;
+    size_t num, capacity;
+};
+void csg_surface_views_clear(struct csg_surface_views *views);
+
+/* On all cores; before anything below is asked of them. false: out of memory. */
+bool csg_surface_views_project(const struct csg_surface_views *views,
+                               const struct csg_screen *screen, struct csg_pixel at,
+                               int num_threads);
 
 /* Pixel centres of a rectangle, counted from the reference pixel. */
 struct csg_view_rect {

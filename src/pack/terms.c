@@ -17,16 +17,9 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
     return terms->index && terms->known;
 }
 
-static void drop_views(struct csg_terms *terms)
-{
-    for (size_t i = 0; i < terms->views.num; i++)
-        csg_surface_view_finish(&terms->views.data[i]);
-    terms->views.num = 0;
-}
-
 void csg_terms_finish(struct csg_terms *terms)
 {
-    drop_views(terms);
+    csg_surface_views_clear(&terms->views);
     csg_stacks_finish(&terms->stacks);
     csg_bands_finish(&terms->bands);
     free(terms->views.data);
@@ -184,13 +177,9 @@ static bool add_view(struct csg_terms *terms, const struct csg_node *node,
                      struct csg_leaf_terms *leaf)
 {
     struct csg_surface_view view;
+    csg_surface_view_init(&view, &terms->scene->leaves[node->leaf].shape, node->leaf, node->spare);
     leaf->view = (uint32_t)terms->views.num;
-    if (!csg_array_reserve(&terms->views, 1) ||
-        !csg_surface_view_init(&view, &terms->frame->screen, terms->frame->at,
-                               &terms->scene->leaves[node->leaf].shape, node->leaf, node->spare))
-        return false;
-    terms->views.data[terms->views.num++] = view;
-    return true;
+    return csg_array_push(&terms->views, view);
 }
 
 /* Of fewer leaves tiles are as soon made without. */
@@ -341,7 +330,7 @@ static bool fill(struct csg_terms *terms, const struct csg_object *object,
 {
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
     terms->leaves.num = terms->texels.num = 0;
-    drop_views(terms);
+    csg_surface_views_clear(&terms->views);
     terms->translucent = terms->stiff = false;
     terms->error = 0;
     for (uint32_t i = object->begin; i < object->end; i++)

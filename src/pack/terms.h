@@ -23,9 +23,9 @@ struct csg_terms {
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
-    CSG_ARRAY(struct csg_leaf_terms) leaves;  /* of the object at hand */
-    CSG_ARRAY(double) texels;                 /* four numbers each */
-    CSG_ARRAY(struct csg_surface_view) views; /* of its leaves that are surfaces */
+    CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
+    CSG_ARRAY(double) texels;                /* four numbers each */
+    struct csg_surface_views views; /* of its leaves that are surfaces; projected for tiles */
     struct csg_stacks stacks; /* of the object, for the tiles; they come last among its leaves */
     struct csg_bands bands;
     uint32_t *index;         /* scene leaf -> leaves; valid for the object's leaves, and stacks */

@@ -123,6 +123,9 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
 {
     const struct csg_tile_area area = area_of(rect);
     const struct grid grid = plan_panes(object, &area);
+    if (!csg_surface_views_project(&terms->views, &terms->frame->screen, terms->frame->at,
+                                   terms->params->num_threads))
+        return false;
     if (grid.num <= 1)
         return csg_tile_area(terms, object, &area, draw);
     struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
