@@ -6,15 +6,26 @@
 
 #include "csg/carrier.h"
 
-/* The colour of the precise objects' faces by carrier and side: planes, then quadrics. */
-struct marks {
-    const struct csgcast_scene *scene;
-    bool leaves; /* each leaf is a colour of its own */
-    uint32_t *colors;
-    bool changed;
+/* What is known of the precise objects that have a face on one side of a carrier. */
+struct mark {
+    uint32_t color;     /* of those faces */
+    struct csg_box box; /* around the objects */
 };
 
-#define NO_COLOR 0
+struct marks {
+    const struct csgcast_scene *scene;
+    bool leaves;      /* each leaf is a colour of its own */
+    uint32_t *places; /* by carrier and side, planes, then quadrics: 1 + place in data, or 0 */
+    struct mark *data;
+    size_t num, capacity;
+    bool far; /* wherever the objects are */
+    bool changed, failed;
+};
+
+/* So often objects hand on to those that they meet; then to all that share a surface, so that a row
+ * of objects is not walked one by one. */
+#define MAX_ROUNDS 4
+
 #define MANY_COLORS 1
 
 static uint32_t color_of(const struct csg_leaf *leaf)
@@ -25,21 +36,55 @@ static uint32_t color_of(const struct csg_leaf *leaf)
     return color > MANY_COLORS ? color : 2;
 }
 
-/* Visits a face: marks it, or tells whether one of another colour may be in the same place, where
- * the first object in the file is to win in every pixel. */
-static bool visit_face(struct marks *marks, size_t slot, uint32_t color, bool mark)
+static bool contains(const struct csg_box *outer, const struct csg_box *inner)
 {
-    uint32_t *known = &marks->colors[slot];
-    const bool differs = *known != NO_COLOR && *known != color;
-    if (mark && *known != color && *known != MANY_COLORS) {
-        *known = *known == NO_COLOR ? color : MANY_COLORS;
+    const struct csg_box both = csg_box_union(outer, inner);
+    return memcmp(&both, outer, sizeof both) == 0;
+}
+
+static void mark_face(struct marks *marks, size_t slot, uint32_t color, const struct csg_box *box)
+{
+    if (marks->places[slot] == 0) {
+        const struct mark first = {color, *box};
+        marks->failed |= !csg_array_push(marks, first);
+        marks->places[slot] = marks->failed ? 0 : (uint32_t)marks->num;
+        marks->changed = true;
+        return;
+    }
+    struct mark *known = &marks->data[marks->places[slot] - 1];
+    if (known->color != color && known->color != MANY_COLORS) {
+        known->color = MANY_COLORS;
         marks->changed = true;
     }
-    return differs;
+    if (!contains(&known->box, box)) {
+        known->box = csg_box_union(&known->box, box);
+        marks->changed = true;
+    }
+}
+
+/* Whether a face of another colour may be in the same place, where the first object in the file is
+ * to win in every pixel. */
+static bool meets_mark(const struct marks *marks, size_t slot, uint32_t color,
+                       const struct csg_box *box)
+{
+    if (marks->places[slot] == 0)
+        return false;
+    const struct mark *known = &marks->data[marks->places[slot] - 1];
+    return known->color != color && csg_box_overlaps(&known->box, box);
+}
+
+/* Visits a face: marks it, or tells whether it meets a mark. */
+static bool visit_face(struct marks *marks, size_t slot, uint32_t color, const struct csg_box *box,
+                       bool mark)
+{
+    if (mark)
+        mark_face(marks, slot, color, box);
+    return !mark && meets_mark(marks, slot, color, box);
 }
 
 static bool visit(struct marks *marks, const struct csg_object *object, bool mark)
 {
+    const struct csg_box *box = marks->far ? &csg_box_all : &object->box;
     const struct csg_carriers *carriers = marks->scene->carriers;
     const struct csg_node *nodes = marks->scene->trees[object->layer].data;
     bool found = false;
@@ -53,22 +98,23 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
                      visit_face(marks,
                                 2 * (size_t)carriers->faces[j].carrier +
                                     (carriers->faces[j].flipped != nodes[i].negated),
-                                color, mark);
+                                color, box, mark);
         const struct csg_face face = carriers->quadric_faces[leaf];
         if (face.carrier != CSG_NO_CARRIER)
             found |= visit_face(marks,
                                 2 * (carriers->num_planes + face.carrier) +
                                     (face.flipped != nodes[i].negated),
-                                color, mark);
+                                color, box, mark);
     }
     return found;
 }
 
-/* Until nothing changes: an object that shares a surface hands it on. */
+/* Until nothing changes: an object that shares a surface where it meets one hands it on. */
 static void spread(struct csg_frame *frame, const struct csg_objects *objects, struct marks *marks)
 {
-    do {
+    for (int round = 0; marks->changed && !marks->failed; round++) {
         marks->changed = false;
+        marks->far = round >= MAX_ROUNDS;
         for (size_t j = 0; j < frame->listed.num; j++) {
             const uint32_t i = frame->listed.data[j];
             struct csg_precision *precision = &frame->precisions.data[i];
@@ -78,20 +124,21 @@ static void spread(struct csg_frame *frame, const struct csg_objects *objects, s
             if (precision->precise)
                 visit(marks, &objects->data[i], true);
         }
-    } while (marks->changed);
+    }
 }
 
 static bool spread_to_sharers(struct csg_frame *frame, const struct csgcast_scene *scene,
                               bool leaves)
 {
-    struct marks marks = {.scene = scene, .leaves = leaves};
+    struct marks marks = {.scene = scene, .leaves = leaves, .changed = true};
     const size_t num = scene->carriers->num_planes + scene->carriers->num_quadrics;
-    marks.colors = calloc(2 * num + 1, sizeof *marks.colors);
-    const bool ok = marks.colors != NULL;
-    if (ok)
+    marks.places = calloc(2 * num + 1, sizeof *marks.places);
+    marks.failed = marks.places == NULL;
+    if (!marks.failed)
         spread(frame, scene->objects, &marks);
-    free(marks.colors);
-    return ok;
+    free(marks.places);
+    free(marks.data);
+    return !marks.failed;
 }
 
 bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,

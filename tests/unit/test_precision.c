@@ -60,14 +60,14 @@ static const struct choice choices[] = {
      {9, 0, -1},
      1,
      "close to a face"},
-    /* only the object that needs it, and those that share a surface with it */
+    /* only the object that needs it, and those that share a surface with it where they meet it */
     {"cube([10, 10, 1e-6]); translate([20, 20, 3]) sphere(r = 2);",
      {40, 30, 20},
      {5, 5, 0},
      1,
      "thick"},
-    {"cube([10, 10, 1e-6]); color(\"red\") translate([20, 0, 0]) cube(5); "
-     "translate([0, 20, 3]) cube(5);",
+    {"cube([10, 10, 1e-6]); color(\"red\") translate([9, 0, 0]) cube(5); "
+     "color(\"red\") translate([20, 0, 0]) cube(5); translate([0, 20, 3]) cube(5);",
      {80, 60, 40},
      {5, 5, 0},
      2,
