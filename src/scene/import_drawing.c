@@ -62,6 +62,7 @@ static bool add_dxf(struct source *source, double scale, struct csg_drawing *dra
     const struct csg_dxf_params params = dxf_params(source->args, scale);
     const struct csg_dxf_warnings warnings = {source, warn};
     const uint32_t draw = (uint32_t)drawing->nodes.num;
+    const size_t num_contours = drawing->contours.num;
     if (!csg_drawing_add_figure(drawing, 0))
         return no_memory(source);
     const enum csg_dxf_result result = csg_dxf_read(&source->bytes, &params, &warnings, drawing);
@@ -70,6 +71,10 @@ static bool add_dxf(struct source *source, double scale, struct csg_drawing *dra
     if (source->num_warnings > max_warnings)
         csg_walk_warning(source->walk, source->node, "%.80s: %zu more such places", source->name,
                          source->num_warnings - max_warnings);
+    if (source->num_warnings == 0 && drawing->contours.num == num_contours)
+        csg_walk_warning(source->walk, source->node,
+                         "%.80s: no line in it%s%.80s; nothing is drawn", source->name,
+                         params.layer[0] ? " on layer " : "", params.layer);
     if (result == CSG_DXF_TOO_LARGE) {
         csg_drawing_cut(drawing, draw);
         csg_report_error(source->walk->builder->report, CSGCAST_MESSAGE_SCENE,
@@ -131,6 +136,7 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
         return true;
     }
     const uint32_t draw = (uint32_t)drawing->nodes.num;
+    const size_t num_contours = drawing->contours.num;
     enum csg_svg_result result = CSG_SVG_FOREIGN;
     if (!csg_drawing_open(drawing, CSG_DRAW_UNION))
         return no_memory(source);
@@ -145,6 +151,9 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
     else if (result == CSG_SVG_MALFORMED)
         csg_walk_warning(source->walk, source->node, "%.80s:%zu: %s; nothing is drawn",
                          source->name, error.line, error.text);
+    else if (result == CSG_SVG_DONE && drawing->contours.num == num_contours)
+        csg_walk_warning(source->walk, source->node, "%.80s: no shape in it; nothing is drawn",
+                         source->name);
     return result == CSG_SVG_NO_MEMORY ? no_memory(source) : unite(source, draw, drawing);
 }
 

@@ -34,6 +34,16 @@ static void lacks(const struct source *source, const char *module, const char *p
                          packages);
 }
 
+static void warn_if_empty(const struct source *source)
+{
+    bool is_empty = true;
+    for (size_t i = 0; i < source->list.meshes.num; i++)
+        is_empty &= source->list.meshes.data[i].faces.num == 0;
+    if (is_empty)
+        csg_walk_warning(source->walk, source->node, "%.160s: no face in it; nothing is drawn",
+                         source->name);
+}
+
 /* ---- STL and OFF ---------------------------------------------------------------------------- */
 
 static bool read_plain(struct source *source)
@@ -56,7 +66,9 @@ static bool read_plain(struct source *source)
     else if (result == CSG_MESH_FILE_MALFORMED)
         csg_walk_warning(source->walk, source->node, "%.160s: malformed; nothing is drawn",
                          source->name);
-    if (result != CSG_MESH_FILE_DONE)
+    if (result == CSG_MESH_FILE_DONE)
+        warn_if_empty(source);
+    else
         csg_mesh_list_finish(&source->list);
     return true;
 }
@@ -81,6 +93,8 @@ static bool read_amf(struct source *source)
                          error.text,
                          source->list.meshes.num > 0 ? "only the objects before that are drawn"
                                                      : "nothing is drawn");
+    else if (result == CSG_AMF_DONE)
+        warn_if_empty(source);
     return result != CSG_AMF_NO_MEMORY || no_memory(source);
 }
 
@@ -100,6 +114,7 @@ static bool read_3mf(struct source *source)
     case CSG_3MF_FILE_NO_MEMORY:
         return no_memory(source);
     default:
+        warn_if_empty(source);
         return true;
     }
 }

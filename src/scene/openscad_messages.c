@@ -14,10 +14,15 @@ struct message_rule {
 
 /* Lines that fit no rule say how far the work is; they are shown only where openscad failed. */
 static const struct message_rule rules[] = {
-    {"WARNING:", CSGCAST_LOG_WARNING},    {"FONT-WARNING:", CSGCAST_LOG_WARNING},
-    {"DEPRECATED:", CSGCAST_LOG_WARNING}, {"ERROR:", CSGCAST_LOG_WARNING},
-    {"Can't ", CSGCAST_LOG_WARNING},      {"ECHO:", CSGCAST_LOG_INFO},
-    {"TRACE:", CSGCAST_LOG_INFO},         {NULL, CSGCAST_LOG_ERROR},
+    {"WARNING:", CSGCAST_LOG_WARNING},
+    {"FONT-WARNING:", CSGCAST_LOG_WARNING},
+    {"DEPRECATED:", CSGCAST_LOG_WARNING},
+    {"ERROR:", CSGCAST_LOG_WARNING},
+    {"Can't ", CSGCAST_LOG_WARNING},
+    {"error", CSGCAST_LOG_WARNING}, /* CGAL, of OFF */
+    {"ECHO:", CSGCAST_LOG_INFO},
+    {"TRACE:", CSGCAST_LOG_INFO},
+    {NULL, CSGCAST_LOG_ERROR},
 };
 
 /* After these openscad 2021.01 exits as if all were well, with what it had until then. */

@@ -191,6 +191,9 @@ static bool read_text(struct csg_walk *walk, uint32_t node, const char *name,
     const bool ok = read_heights(heights, bytes, &line);
     if (ok && line > 0)
         csg_walk_warning(walk, node, "%.160s:%zu: not a number; the file ends here", name, line);
+    else if (ok && (heights->rows.num < 2 || heights->columns < 2))
+        csg_walk_warning(walk, node, "%.160s: less than two rows or columns; nothing is drawn",
+                         name);
     return ok || csg_log_memory(&walk->builder->report->log);
 }
 

@@ -16,7 +16,11 @@ failed=0
 # says FILE TEXT: what info says of a scene that imports the file. It may not ask openscad.
 says()
 {
-    echo "import(file = \"$1\");" >scene.csg
+    case $1 in
+    *.dat) node=surface ;;
+    *) node=import ;;
+    esac
+    echo "$node(file = \"$1\");" >scene.csg
     CSGCAST_CACHE= timeout 60 "$csgcast" info --no-handoff scene.csg >out 2>&1 || true
     if ! grep -qF "$2" out; then
         echo "FAIL $1: no '$2' in"
@@ -100,6 +104,18 @@ says corner.amf "warning: $place corner.amf:2: a triangle has no point"
 printf 'PK' >short.3mf
 says short.3mf "warning: $place short.3mf: "
 says missing.3mf "warning: $place ./missing.3mf: No such file or directory; nothing is drawn"
+printf 'solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n' >cut.stl
+says cut.stl "warning: $place cut.stl: no face in it; nothing is drawn"
+printf 'OFF\n0 0 0\n' >none.off
+says none.off "warning: $place none.off: no face in it; nothing is drawn"
+echo '<amf/>' >none.amf
+says none.amf "warning: $place none.amf: no face in it; nothing is drawn"
+printf '0\nEOF\n' >none.dxf
+says none.dxf "warning: $place none.dxf: no line in it; nothing is drawn"
+echo '<svg><g/></svg>' >none.svg
+says none.svg "warning: $place none.svg: no shape in it; nothing is drawn"
+echo '1 2 3' >row.dat
+says row.dat 'warning: scene.csg:1:1: surface: row.dat: less than two rows or columns'
 says other.obj 'import is not supported yet'
 
 exit "$failed"
