@@ -18,11 +18,8 @@ struct csg_kept {
 
 static uint64_t add_doubles(uint64_t hash, const double *numbers, size_t num)
 {
-    for (size_t i = 0; i < num; i++) {
-        uint64_t bits;
-        memcpy(&bits, &numbers[i], sizeof bits);
-        hash = csg_hash_number(hash, bits);
-    }
+    for (size_t i = 0; i < num; i++)
+        hash = csg_hash_double(hash, numbers[i]);
     return hash;
 }
 

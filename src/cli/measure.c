@@ -12,19 +12,14 @@
 #include <unistd.h>
 
 #include "common/clock.h"
+#include "common/order.h"
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 #define DEGREE (3.14159265358979323846 / 180)
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static struct csg_spread spread_of(double *values, size_t num)
 {
-    qsort(values, num, sizeof *values, compare);
+    qsort(values, num, sizeof *values, csg_compare_doubles);
     const double median = num % 2 ? values[num / 2] : 0.5 * (values[num / 2 - 1] + values[num / 2]);
     return (struct csg_spread){median, values[0], values[num - 1]};
 }

@@ -4,6 +4,7 @@
 
 #include "common/clock.h"
 #include "common/file.h"
+#include "common/order.h"
 #include "messages.h"
 #include "process.h"
 #include "report.h"
@@ -159,12 +160,6 @@ static void add_meshes(struct bench *bench, enum csg_series series)
 
 /* ---- frames --------------------------------------------------------------------------------- */
 
-static int compare(const void *left, const void *right)
-{
-    const double *a = left, *b = right;
-    return (*a > *b) - (*a < *b);
-}
-
 static bool time_frame(struct bench *bench, struct drawer *drawer)
 {
     struct csg_report_times *frame = &drawer->item.frame;
@@ -192,7 +187,7 @@ static bool time_frames(struct bench *bench)
         struct csg_report_times *frame = &drawer->item.frame;
         if (!frame->num)
             continue;
-        qsort(drawer->times, (size_t)frame->num, sizeof *drawer->times, compare);
+        qsort(drawer->times, (size_t)frame->num, sizeof *drawer->times, csg_compare_doubles);
         frame->median = drawer->times[frame->num / 2];
         frame->min = drawer->times[0];
         frame->max = drawer->times[frame->num - 1];

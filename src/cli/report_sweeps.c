@@ -5,6 +5,7 @@
  * the reference. tests/extreme has more of them and judges the reference itself, in long double.
  */
 
+#include "common/random.h"
 #include "messages.h"
 #include "report.h"
 
@@ -15,30 +16,18 @@
 
 #define PI 3.14159265358979323846
 
-struct dice {
-    uint64_t state;
-};
-
 /* A text, and the camera that looks at it. */
 struct shot {
     char text[1024];
     struct csgcast_view view;
 };
 
-/* The splitmix64 sequence, as a double in [lo, hi). */
-static double between(struct dice *dice, double lo, double hi)
-{
-    uint64_t z = dice->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return lo + (hi - lo) * (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
 /* The eye at distance from the origin, anywhere; reach: half of what the picture holds there. */
-static void look(struct shot *shot, struct dice *dice, double distance, double reach)
+static void look(struct shot *shot, uint64_t *dice, double distance, double reach)
 {
     struct csgcast_camera *camera = &shot->view.camera;
-    const double z = between(dice, -0.95, 0.95), turn = between(dice, 0, 2 * PI);
+    const double z = csg_random_between(dice, -0.95, 0.95),
+                 turn = csg_random_between(dice, 0, 2 * PI);
     const double flat = sqrt(1 - z * z);
     camera->kind = CSGCAST_CAMERA_VECTOR;
     camera->eye[0] = distance * flat * cos(turn);
@@ -47,7 +36,7 @@ static void look(struct shot *shot, struct dice *dice, double distance, double r
     camera->fov = 2 * atan(reach / distance) * 180 / PI;
 }
 
-static void make_distance(struct shot *shot, struct dice *dice, double value)
+static void make_distance(struct shot *shot, uint64_t *dice, double value)
 {
     snprintf(shot->text, sizeof shot->text,
              "rotate([%.17g, %.17g, %.17g]) difference() {\n"
@@ -55,36 +44,40 @@ static void make_distance(struct shot *shot, struct dice *dice, double value)
              "    cube([16, 5, 7], center = true); }\n"
              "  translate([3, 1, 2]) sphere(r = 4);\n"
              "  cylinder(h = 30, r = 2, center = true);\n}\n",
-             between(dice, 0, 360), between(dice, 0, 360), between(dice, 0, 360));
+             csg_random_between(dice, 0, 360), csg_random_between(dice, 0, 360),
+             csg_random_between(dice, 0, 360));
     look(shot, dice, 10 * value, 10);
 }
 
 /* A needle or a disc of half length 10, seen whole or so near that its thickness shows. */
-static void make_aspect(struct shot *shot, struct dice *dice, double value)
+static void make_aspect(struct shot *shot, uint64_t *dice, double value)
 {
     static const char *const kinds[] = {"sphere(r = 10)", "cylinder(h = 20, r = 10, center = true)",
                                         "cylinder(h = 20, r1 = 10, r2 = 0, center = true)"};
     const double thin = 1 / value;
-    const bool needle = between(dice, 0, 1) < 0.5, near = between(dice, 0, 1) < 0.5;
-    const char *kind = kinds[(int)between(dice, 0, 3)];
+    const bool needle = csg_random_between(dice, 0, 1) < 0.5,
+               near = csg_random_between(dice, 0, 1) < 0.5;
+    const char *kind = kinds[(int)csg_random_between(dice, 0, 3)];
     snprintf(shot->text, sizeof shot->text,
              "rotate([%.17g, %.17g, %.17g]) scale([%.17g, %.17g, %.17g]) %s;\n",
-             between(dice, 0, 360), between(dice, 0, 360), between(dice, 0, 360), needle ? thin : 1,
-             needle ? thin : 1, needle ? 1 : thin, kind);
+             csg_random_between(dice, 0, 360), csg_random_between(dice, 0, 360),
+             csg_random_between(dice, 0, 360), needle ? thin : 1, needle ? thin : 1,
+             needle ? 1 : thin, kind);
     look(shot, dice, 40, near ? 12 * thin : 11);
 }
 
 /* A hollow ball with a wall of that part of its radius, cut open. The hollow is off the middle by
  * a third of the wall, so that no rounding is the same on both sides of it. */
-static void make_shell(struct shot *shot, struct dice *dice, double value)
+static void make_shell(struct shot *shot, uint64_t *dice, double value)
 {
     snprintf(shot->text, sizeof shot->text,
              "rotate([%.17g, %.17g, %.17g]) difference() {\n  sphere(r = 10);\n"
              "  translate([%.17g, %.17g, %.17g]) sphere(r = %.17g);\n"
              "  translate([5, 5, 5]) cube(20);\n  translate([-14, -14, -14]) cube(12);\n}\n",
-             between(dice, 0, 360), between(dice, 0, 360), between(dice, 0, 360),
-             between(dice, -2, 2) * value, between(dice, -2, 2) * value,
-             between(dice, -2, 2) * value, 10 * (1 - value));
+             csg_random_between(dice, 0, 360), csg_random_between(dice, 0, 360),
+             csg_random_between(dice, 0, 360), csg_random_between(dice, -2, 2) * value,
+             csg_random_between(dice, -2, 2) * value, csg_random_between(dice, -2, 2) * value,
+             10 * (1 - value));
     look(shot, dice, 40, 11);
 }
 
@@ -92,7 +85,7 @@ struct sweep {
     struct csg_sweep_text text;
     double values[8];
     int num;
-    void (*make)(struct shot *shot, struct dice *dice, double value);
+    void (*make)(struct shot *shot, uint64_t *dice, double value);
 };
 
 static const struct sweep sweeps[] = {
@@ -175,7 +168,7 @@ static bool run_value(struct csg_report *report, struct pictures *pictures,
                       const struct sweep *sweep, double value, int num_shots, int size)
 {
     const size_t first = report->sweeps.num;
-    struct dice dice = {(uint64_t)(sweep - sweeps) + 1};
+    uint64_t dice = (uint64_t)(sweep - sweeps) + 1;
     bool ok = true;
     for (size_t i = 0; csg_report_variant(i); i++) {
         const struct csg_sweep_item item = {

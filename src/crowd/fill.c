@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/order.h"
 #include "common/parallel.h"
 #include "common/prefetch.h"
 #include "crowd/cull.h"
@@ -289,12 +290,6 @@ static bool demote_kin(struct filler *filler)
     return true;
 }
 
-static int compare_objects(const void *a, const void *b)
-{
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return x < y ? -1 : x > y;
-}
-
 /* The objects that are no members, and the demoted ones. */
 static bool list_objects(const struct filler *filler)
 {
@@ -308,7 +303,8 @@ static bool list_objects(const struct filler *filler)
         if (filler->cull.demoted[i] && !csg_array_push(&frame->listed, crowd->object[i]))
             return false;
     if (frame->listed.num > crowd->num_others)
-        qsort(frame->listed.data, frame->listed.num, sizeof *frame->listed.data, compare_objects);
+        qsort(frame->listed.data, frame->listed.num, sizeof *frame->listed.data,
+              csg_compare_indices);
     return true;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "csg/carrier_key.h"
 
+#include "common/hash.h"
 #include "csg/grid.h"
 
 /* Neighbours are looked at where they are as near as this, in cells: coincident faces differ by
@@ -132,16 +133,12 @@ static void quadric_coordinates(const struct csg_carrier_space *space,
 
 /* ---- keys --------------------------------------------------------------------------------- */
 
-/* Of a cell, for one of the three ways to look, which must not meet: small numbers of cells would
- * make up for kinds that follow each other. */
+/* Of a cell, for one of the three ways to look. */
 static uint64_t key_of_cell(uint64_t kind, const int64_t cell[3])
 {
-    uint64_t hash = (kind + 1) * 0x9e3779b97f4a7c15u;
-    for (int i = 0; i < 3; i++) {
-        hash ^= (uint64_t)cell[i];
-        hash *= 0xbf58476d1ce4e5b9u;
-        hash ^= hash >> 29;
-    }
+    uint64_t hash = csg_hash_number(0, kind + 1);
+    for (int i = 0; i < 3; i++)
+        hash = csg_hash_number(hash, (uint64_t)cell[i]);
     return hash;
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "csg/directions.h"
 
-#include <string.h>
-
+#include "common/hash.h"
 #include "csg/grid.h"
 
 /* Directions no face of a real model is aligned with. */
@@ -18,12 +17,9 @@ int64_t csg_direction_number(struct csg_vec3 n)
 {
     const double s = csg_direction_is_reversed(n) ? -1 : 1;
     const double v[3] = {s * n.x + 0.0, s * n.y + 0.0, s * n.z + 0.0}; /* no -0 */
-    uint64_t hash = 0, bits;
-    for (int i = 0; i < 3; i++) {
-        memcpy(&bits, &v[i], sizeof bits);
-        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 31;
-    }
+    uint64_t hash = 0;
+    for (int i = 0; i < 3; i++)
+        hash = csg_hash_double(hash, v[i]);
     return (int64_t)(hash >> 2) + 1;
 }
 

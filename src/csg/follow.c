@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cells/store.h"
+#include "common/order.h"
 #include "crowd/crowd.h"
 #include "csg/carrier_builder.h"
 #include "csg/distribute.h"
@@ -69,12 +70,6 @@ static bool are_leaves_alike(struct follow *follow)
     return true;
 }
 
-static int compare(const void *a, const void *b)
-{
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
-}
-
 /* The operands of the leaves that changed, each once. */
 static bool list_operands(const struct follow *follow, struct numbers *operands)
 {
@@ -82,7 +77,7 @@ static bool list_operands(const struct follow *follow, struct numbers *operands)
     for (size_t i = 0; i < follow->before->num; i++)
         if (!csg_array_push(operands, follow->follower->operands[follow->before->leaves[i]]))
             return false;
-    qsort(operands->data, operands->num, sizeof *operands->data, compare);
+    qsort(operands->data, operands->num, sizeof *operands->data, csg_compare_indices);
     for (size_t i = 0; i < operands->num; i++)
         if (num == 0 || operands->data[i] != operands->data[num - 1])
             operands->data[num++] = operands->data[i];

@@ -2,7 +2,8 @@
 #include "csg/plane_table.h"
 
 #include <stdlib.h>
-#include <string.h>
+
+#include "common/hash.h"
 
 void csg_plane_table_finish(struct csg_plane_table *table)
 {
@@ -29,18 +30,12 @@ static bool is_same(const struct csg_plane *a, const struct csg_plane *b)
            a->offset == b->offset;
 }
 
-/* Offsets of few digits differ in a double's highest bits only: they must reach the lowest ones. */
 static size_t hash_of(const struct csg_plane *plane)
 {
     const double numbers[4] = {plane->normal.x, plane->normal.y, plane->normal.z, plane->offset};
     uint64_t hash = 0;
-    for (int i = 0; i < 4; i++) {
-        uint64_t bits;
-        memcpy(&bits, &numbers[i], sizeof bits);
-        hash ^= bits;
-        hash = (hash ^ (hash >> 32)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
-    }
+    for (int i = 0; i < 4; i++)
+        hash = csg_hash_double(hash, numbers[i]);
     return (size_t)hash;
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/hash.h"
 #include "files/dxf_lines.h"
 
 /* Beyond, steps are no longer whole in a double; such points stay where they are in the grid. */
@@ -18,13 +19,9 @@ void csg_dxf_lines_finish(struct csg_dxf_lines *lines)
     free(lines->entries.data);
 }
 
-/* The bits of both are spread by multiplication (splitmix64, Steele et al. 2014). */
 static size_t hash_of(struct csg_dxf_cell cell)
 {
-    uint64_t h = (uint64_t)cell.x * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)cell.y;
-    h = (h ^ (h >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    h = (h ^ (h >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return (size_t)(h ^ (h >> 31));
+    return (size_t)csg_hash_number(csg_hash_number(0, (uint64_t)cell.x), (uint64_t)cell.y);
 }
 
 /* The slot that has the cell, or an empty one that would. */

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/order.h"
 #include "plane/prism.h"
 
 #define PI 3.14159265358979323846264338327950288
@@ -223,12 +224,6 @@ static bool is_outside_at(const struct wrap *wrap, const struct pair *pair, doub
     return supports(wrap, normal, reach(pair->p, normal));
 }
 
-static int compare_angles(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 /* Between two neighbouring planes that touch both balls, the cone is all outside or all inside. */
 static bool is_outside(const struct wrap *wrap, const struct pair *pair, double *angles)
 {
@@ -242,7 +237,7 @@ static bool is_outside(const struct wrap *wrap, const struct pair *pair, double 
     }
     if (num == 0)
         return is_outside_at(wrap, pair, 0);
-    qsort(angles, num, sizeof *angles, compare_angles);
+    qsort(angles, num, sizeof *angles, csg_compare_doubles);
     for (size_t i = 0; i < num; i++) {
         const double next = i + 1 < num ? angles[i + 1] : angles[0] + 2 * PI;
         if (is_outside_at(wrap, pair, (angles[i] + next) / 2))

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "common/order.h"
+
 /*
  * The sides of the spans, and of each level what is inside only above or only below it, are the
  * outline. Its corners are named by level and place in it, so chaining them compares no numbers.
@@ -41,12 +43,6 @@ struct slab {
     size_t begin, end;
 };
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 static bool collect(struct tracer *tracer, struct slab slab, uint32_t level)
 {
     bool ok = true;
@@ -68,7 +64,7 @@ static bool make_corners(struct tracer *tracer, struct slab below, struct slab a
     if (!collect(tracer, below, level) || !collect(tracer, above, level))
         return false;
     if (tracer->xs.num)
-        qsort(tracer->xs.data, tracer->xs.num, sizeof *tracer->xs.data, compare_numbers);
+        qsort(tracer->xs.data, tracer->xs.num, sizeof *tracer->xs.data, csg_compare_doubles);
     for (size_t i = 0; i < tracer->xs.num; i++)
         if (num == 0 || tracer->xs.data[i] - tracer->xs.data[num - 1] > tracer->noise)
             tracer->xs.data[num++] = tracer->xs.data[i];

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/order.h"
 #include "plane/membership.h"
 
 /* An edge's place in the order of a slab. */
@@ -113,19 +114,13 @@ static bool add_crossings(struct csg_sweep *sweep, double noise)
 
 /* ---- levels ------------------------------------------------------------------------------- */
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 /* A level stands for the heights up to noise above it. */
 static void merge_levels(struct csg_sweep *sweep, double noise)
 {
     size_t num = 0;
     double *levels = sweep->levels.data;
     if (sweep->levels.num)
-        qsort(levels, sweep->levels.num, sizeof *levels, compare_numbers);
+        qsort(levels, sweep->levels.num, sizeof *levels, csg_compare_doubles);
     for (size_t i = 0; i < sweep->levels.num; i++)
         if (num == 0 || levels[i] - levels[num - 1] > noise)
             levels[num++] = levels[i];

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "common/hash.h"
 #include "polyhedra/cut.h"
 
 /* Points closer than this share of the largest coordinate are one. */
@@ -78,10 +79,8 @@ struct places {
 static size_t slot_of(const struct places *places, const double cell[3])
 {
     uint64_t hash = 0;
-    for (int i = 0; i < 3; i++) {
-        hash = (hash ^ (uint64_t)(int64_t)cell[i]) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
-    }
+    for (int i = 0; i < 3; i++)
+        hash = csg_hash_number(hash, (uint64_t)(int64_t)cell[i]);
     return (size_t)hash & places->mask;
 }
 

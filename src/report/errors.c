@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/order.h"
+
 static const double degrees = 180 / 3.14159265358979323846;
 
 struct samples {
@@ -52,12 +54,6 @@ static void add_pixel(const struct csgcast_image *picture, const struct csgcast_
     samples->normals[samples->num++] = angle(picture->normal + 3 * i, reference->normal + 3 * i);
 }
 
-static int compare(const void *left, const void *right)
-{
-    const double *a = left, *b = right;
-    return (*a > *b) - (*a < *b);
-}
-
 static double quantile(const double *sorted, size_t num, double share)
 {
     return num ? sorted[(size_t)(share * (double)(num - 1))] : 0;
@@ -66,8 +62,8 @@ static double quantile(const double *sorted, size_t num, double share)
 static void summarize(const struct samples *samples, struct csg_picture_errors *errors)
 {
     const size_t num = samples->num;
-    qsort(samples->depths, num, sizeof *samples->depths, compare);
-    qsort(samples->normals, num, sizeof *samples->normals, compare);
+    qsort(samples->depths, num, sizeof *samples->depths, csg_compare_doubles);
+    qsort(samples->normals, num, sizeof *samples->normals, csg_compare_doubles);
     double sum = 0;
     for (size_t i = 0; i < num; i++)
         sum += samples->depths[i];

@@ -13,8 +13,8 @@
  */
 
 #include "csg/scene.h"
-#include "scene/nodes.h"
 #include "scene/document.h"
+#include "scene/nodes.h"
 
 #define CSG_NO_LEAF UINT32_MAX
 

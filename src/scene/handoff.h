@@ -11,8 +11,8 @@
 #include "plane/drawing.h"
 #include "polyhedra/mesh.h"
 #include "common/file.h"
-#include "scene/nodes.h"
 #include "scene/document.h"
+#include "scene/nodes.h"
 
 /* What openscad made of a text. */
 struct csg_handoff_result {

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "common/random.h"
+
 /* Lines tried for each point wanted. Most lines give two points. */
 #define LINES_PER_POINT 32
 
@@ -11,15 +13,6 @@
 
 /* Newton steps that remove the rounding of the roots: two are enough, each doubles the digits. */
 #define NUM_POLISH 2
-
-/* SplitMix64 (Steele, Lea and Flood 2014): a repeatable spread of 0 to 1. */
-static double next_random(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
 
 /* Inverse of to_canon, whose rows may differ in size by more than csg_map_invert forgives. */
 static bool invert_canonical(const struct csg_map *to_canon, struct csg_map *inverse)
@@ -57,7 +50,8 @@ static bool sampled_box(const struct csg_shape *shape, struct csg_box *box, stru
 static struct csg_vec3 random_point(const struct csg_box *box, const struct csg_map *map,
                                     uint64_t *state)
 {
-    const double x = next_random(state), y = next_random(state), z = next_random(state);
+    const double x = csg_random_between(state, 0, 1), y = csg_random_between(state, 0, 1),
+                 z = csg_random_between(state, 0, 1);
     const struct csg_vec3 size = csg_sub(box->hi, box->lo);
     return csg_map_point(map, csg_add(box->lo, csg_vec3(x * size.x, y * size.y, z * size.z)));
 }

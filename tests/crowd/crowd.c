@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/random.h"
 #include "ideal/text.h"
 
 enum { SIZE = 160, PIXELS = SIZE * SIZE, NUM_VIEWS = 6 };
@@ -29,12 +30,9 @@ enum { AMONG = 3 }; /* that view: the eye may even be in a solid, and then there
 
 static uint64_t state;
 
-static double between(double lo, double hi) /* splitmix64 */
+static double between(double lo, double hi)
 {
-    uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return lo + (hi - lo) * (double)((z ^ z >> 31) >> 11) / 9007199254740992.0;
+    return csg_random_between(&state, lo, hi);
 }
 
 static void put_solid(struct text *text)

@@ -7,13 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* splitmix64 */
+#include "common/random.h"
+
 double model_random(struct model *model, double lo, double hi)
 {
-    uint64_t z = model->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return lo + (hi - lo) * (double)((z ^ z >> 31) >> 11) / 9007199254740992.0;
+    return csg_random_between(&model->state, lo, hi);
 }
 
 static int pick(struct model *model, int num)

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/random.h"
+
 static void make_room(struct text *text, size_t length)
 {
     if (text->num + length + 1 <= text->capacity)
@@ -50,20 +52,12 @@ void text_vector(struct text *text, double x, double y, double z, enum text_digi
     text_put(text, "]");
 }
 
-static uint64_t next_random(struct dice *dice) /* splitmix64 */
-{
-    uint64_t z = dice->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return z ^ z >> 31;
-}
-
 double dice_between(struct dice *dice, double lo, double hi)
 {
-    return lo + (hi - lo) * (double)(next_random(dice) >> 11) * 0x1p-53;
+    return csg_random_between(&dice->state, lo, hi);
 }
 
 int dice_pick(struct dice *dice, int num)
 {
-    return (int)(next_random(dice) % (uint64_t)num);
+    return (int)(csg_random(&dice->state) % (uint64_t)num);
 }

@@ -4,6 +4,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "common/random.h"
+
 static const double default_fov = 22.5;
 static const double degree = 3.14159265358979323846 / 180;
 
@@ -115,13 +117,9 @@ bool camera_parse(const char *text, struct csgcast_camera *camera)
     return true;
 }
 
-/* The splitmix64 sequence, as a double in [0, 1). */
 static double next_random(uint64_t *state)
 {
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return csg_random_between(state, 0, 1);
 }
 
 struct csgcast_camera camera_random(unsigned number, const struct csg_box *box)

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "common/random.h"
+
 struct writer {
     char *text;
     size_t num, capacity;
@@ -14,17 +16,9 @@ struct writer {
     int leaves_left;
 };
 
-static uint64_t next_random(struct random_state *random) /* splitmix64 */
-{
-    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return z ^ z >> 31;
-}
-
 double random_between(struct random_state *random, double lo, double hi)
 {
-    return lo + (hi - lo) * (double)(next_random(random) >> 11) / 9007199254740992.0;
+    return csg_random_between(&random->state, lo, hi);
 }
 
 static void put(struct writer *writer, const char *format, ...)

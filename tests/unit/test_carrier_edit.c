@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "common/random.h"
 #include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/scene.h"
@@ -20,13 +21,9 @@
 
 static uint64_t state;
 
-/* splitmix64 */
 static double uniform(double lo, double hi)
 {
-    uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return lo + (hi - lo) * (double)((z ^ z >> 31) >> 11) / 9007199254740992.0;
+    return csg_random_between(&state, lo, hi);
 }
 
 static int pick(int num)
