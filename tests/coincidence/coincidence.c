@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "ideal/judge.h"
+#include "ideal/options.h"
 #include "relations.h"
 
 /* Of the pixels that may differ at edges. */
@@ -242,25 +243,14 @@ static bool print_table(const struct run *run)
 
 static bool read_option(struct options *options, const char *arg)
 {
-    const char *value = strchr(arg, '=');
-    value = value ? value + 1 : "";
-    if (strncmp(arg, "--rounds=", 9) == 0)
-        options->rounds = atoi(value);
-    else if (strncmp(arg, "--size=", 7) == 0)
-        options->size = atoi(value);
-    else if (strncmp(arg, "--seed=", 7) == 0)
-        options->seed = strtoull(value, NULL, 0);
-    else if (strncmp(arg, "--stride=", 9) == 0)
-        options->stride = atoi(value);
-    else if (strncmp(arg, "--variant=", 10) == 0)
-        options->variant = value;
-    else if (strncmp(arg, "--relation=", 11) == 0)
-        options->relation = value;
-    else if (strcmp(arg, "--full") == 0)
+    if (strcmp(arg, "--full") == 0)
         options->rounds = 2, options->stride = 1, options->size = 48;
-    else if (strcmp(arg, "--backend=osmesa") == 0)
-        options->backend = CSGCAST_BACKEND_OSMESA;
-    else if (strcmp(arg, "--backend=egl") != 0)
+    else if (!option_int(arg, "--rounds=", &options->rounds) &&
+             !option_int(arg, "--size=", &options->size) && !option_seed(arg, &options->seed) &&
+             !option_int(arg, "--stride=", &options->stride) &&
+             !option_text(arg, "--variant=", &options->variant) &&
+             !option_text(arg, "--relation=", &options->relation) &&
+             !option_backend(arg, &options->backend))
         return false;
     return options->rounds > 0 && options->size > 0 && options->stride > 0;
 }

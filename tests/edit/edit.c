@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "bench.h"
+#include "ideal/options.h"
 
 int main(int argc, char **argv)
 {
@@ -19,18 +20,10 @@ int main(int argc, char **argv)
     unsigned long long seed = 1;
     int num_scenes = 10;
     bench.backend = CSGCAST_BACKEND_EGL;
-    for (int i = 1; i < argc; i++) {
-        if (strncmp(argv[i], "--scenes=", 9) == 0)
-            num_scenes = atoi(argv[i] + 9);
-        else if (strncmp(argv[i], "--seed=", 7) == 0)
-            seed = strtoull(argv[i] + 7, NULL, 10);
-        else if (strcmp(argv[i], "--backend=osmesa") == 0)
-            bench.backend = CSGCAST_BACKEND_OSMESA;
-        else if (strcmp(argv[i], "--backend=reference") == 0)
-            bench.backend = CSGCAST_BACKEND_REFERENCE;
-        else if (strcmp(argv[i], "--backend=egl") != 0)
-            return fprintf(stderr, "edit: unknown option %s\n", argv[i]), 2;
-    }
+    for (int i = 1; i < argc; i++)
+        if (!option_int(argv[i], "--scenes=", &num_scenes) && !option_seed(argv[i], &seed) &&
+            !option_backend(argv[i], &bench.backend))
+            return fprintf(stderr, "edit: cannot use %s\n", argv[i]), 2;
     bench.fresh = bench_create_renderer(&bench);
     check_growth(&bench);
     for (int i = 0; i < num_scenes; i++)

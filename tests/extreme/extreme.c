@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "crowds.h"
+#include "ideal/options.h"
 #include "measure.h"
 #include "sweeps.h"
 
@@ -230,29 +231,20 @@ static bool run_sweeps(struct run *run)
 
 static bool read_option(struct options *options, const char *arg)
 {
-    const char *value = strchr(arg, '=');
-    value = value ? value + 1 : "";
-    if (strncmp(arg, "--shots=", 8) == 0)
-        options->shots = atoi(value);
-    else if (strncmp(arg, "--size=", 7) == 0)
-        options->size = atoi(value);
-    else if (strncmp(arg, "--seed=", 7) == 0)
-        options->seed = strtoull(value, NULL, 0);
-    else if (strncmp(arg, "--sweep=", 8) == 0)
-        options->sweep = value;
-    else if (strncmp(arg, "--value=", 8) == 0)
+    const char *value;
+    if (option_text(arg, "--value=", &value))
         options->value = atof(value);
     else if (strcmp(arg, "--shots-too") == 0)
         options->shots_too = true;
-    else if (strncmp(arg, "--variant=", 10) == 0)
-        options->variant = value;
     else if (strcmp(arg, "--csv") == 0)
         options->csv = true;
     else if (strcmp(arg, "--full") == 0)
         options->shots = 112, options->size = 96, options->full = true;
-    else if (strcmp(arg, "--backend=osmesa") == 0)
-        options->backend = CSGCAST_BACKEND_OSMESA;
-    else if (strcmp(arg, "--backend=egl") != 0)
+    else if (!option_int(arg, "--shots=", &options->shots) &&
+             !option_int(arg, "--size=", &options->size) && !option_seed(arg, &options->seed) &&
+             !option_text(arg, "--sweep=", &options->sweep) &&
+             !option_text(arg, "--variant=", &options->variant) &&
+             !option_backend(arg, &options->backend))
         return false;
     return options->shots > 0 && options->size > 0;
 }

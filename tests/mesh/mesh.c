@@ -16,6 +16,7 @@
 
 #include "bodies.h"
 #include "ideal/judge.h"
+#include "ideal/options.h"
 
 #define MAX_DEPTH_ERROR 6e-6 /* relative */
 #define MAX_NORMAL_ERROR 0.1 /* degrees */
@@ -245,22 +246,11 @@ int main(int argc, char **argv)
     enum csgcast_backend backend = CSGCAST_BACKEND_EGL;
     unsigned long long seed = 1;
     int rounds = 2;
-    for (int i = 1; i < argc; i++) {
-        const char *value = strchr(argv[i], '=');
-        value = value ? value + 1 : "";
-        if (strncmp(argv[i], "--rounds=", 9) == 0)
-            rounds = atoi(value);
-        else if (strncmp(argv[i], "--size=", 7) == 0)
-            run.size = atoi(value);
-        else if (strncmp(argv[i], "--seed=", 7) == 0)
-            seed = strtoull(value, NULL, 0);
-        else if (strcmp(argv[i], "--backend=osmesa") == 0)
-            backend = CSGCAST_BACKEND_OSMESA;
-        else if (strcmp(argv[i], "--backend=reference") == 0)
-            backend = CSGCAST_BACKEND_REFERENCE;
-        else if (strcmp(argv[i], "--backend=egl") != 0)
-            return 2;
-    }
+    for (int i = 1; i < argc; i++)
+        if (!option_int(argv[i], "--rounds=", &rounds) &&
+            !option_int(argv[i], "--size=", &run.size) && !option_seed(argv[i], &seed) &&
+            !option_backend(argv[i], &backend))
+            return fprintf(stderr, "mesh: cannot use %s\n", argv[i]), 2;
     run.renderer = make_renderer(backend);
     run.reference = make_renderer(CSGCAST_BACKEND_REFERENCE);
     if (!run.renderer || !run.reference)

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ideal/options.h"
 #include "metamorphic.h"
 #include "twin/random_scene.h"
 
@@ -313,22 +314,11 @@ int main(int argc, char **argv)
     struct run run = {.size = 48, .backend = CSGCAST_BACKEND_EGL};
     unsigned long long seed = 1;
     int rounds = 6;
-    for (int i = 1; i < argc; i++) {
-        const char *value = strchr(argv[i], '=');
-        value = value ? value + 1 : "";
-        if (strncmp(argv[i], "--rounds=", 9) == 0)
-            rounds = atoi(value);
-        else if (strncmp(argv[i], "--size=", 7) == 0)
-            run.size = atoi(value);
-        else if (strncmp(argv[i], "--seed=", 7) == 0)
-            seed = strtoull(value, NULL, 0);
-        else if (strcmp(argv[i], "--backend=osmesa") == 0)
-            run.backend = CSGCAST_BACKEND_OSMESA;
-        else if (strcmp(argv[i], "--backend=reference") == 0)
-            run.backend = CSGCAST_BACKEND_REFERENCE;
-        else if (strcmp(argv[i], "--backend=egl") != 0)
+    for (int i = 1; i < argc; i++)
+        if (!option_int(argv[i], "--rounds=", &rounds) &&
+            !option_int(argv[i], "--size=", &run.size) && !option_seed(argv[i], &seed) &&
+            !option_backend(argv[i], &run.backend))
             return fprintf(stderr, "metamorphic: cannot use %s\n", argv[i]), 2;
-    }
     run.renderer =
         csgcast_renderer_create(&(struct csgcast_renderer_params){.backend = run.backend});
     run.first = picture_create(run.size, run.size);

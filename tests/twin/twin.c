@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ideal/options.h"
 #include "random_scene.h"
 
 /* Float bounds that every pixel off an edge must hold. */
@@ -28,7 +29,7 @@
 
 struct options {
     int num_random, size;
-    uint64_t seed;
+    unsigned long long seed;
     enum csgcast_backend backend;
     const char *variant; /* NULL: all */
 };
@@ -250,22 +251,13 @@ int main(int argc, char **argv)
 {
     struct options options = {.size = 128, .seed = 1, .backend = CSGCAST_BACKEND_EGL};
     int first = 1;
-    for (; first < argc && argv[first][0] == '-'; first++) {
-        const char *value = strchr(argv[first], '=');
-        value = value ? value + 1 : "";
-        if (strncmp(argv[first], "--random=", 9) == 0)
-            options.num_random = atoi(value);
-        else if (strncmp(argv[first], "--seed=", 7) == 0)
-            options.seed = strtoull(value, NULL, 10);
-        else if (strncmp(argv[first], "--size=", 7) == 0)
-            options.size = atoi(value);
-        else if (strncmp(argv[first], "--variant=", 10) == 0)
-            options.variant = value;
-        else if (strcmp(argv[first], "--backend=osmesa") == 0)
-            options.backend = CSGCAST_BACKEND_OSMESA;
-        else if (strcmp(argv[first], "--backend=egl") != 0)
-            return fprintf(stderr, "twin: unknown option %s\n", argv[first]), 2;
-    }
+    for (; first < argc && argv[first][0] == '-'; first++)
+        if (!option_int(argv[first], "--random=", &options.num_random) &&
+            !option_int(argv[first], "--size=", &options.size) &&
+            !option_seed(argv[first], &options.seed) &&
+            !option_text(argv[first], "--variant=", &options.variant) &&
+            !option_backend(argv[first], &options.backend))
+            return fprintf(stderr, "twin: cannot use %s\n", argv[first]), 2;
     struct csgcast_renderer *reference = csgcast_renderer_create(
         &(struct csgcast_renderer_params){.backend = CSGCAST_BACKEND_REFERENCE});
     struct csgcast_renderer *renderer =
