@@ -19,17 +19,17 @@
  * and NULL mean the documented default.
  *
  * Failure: functions return NULL or false and report the reason through the log callback (standard
- * error when there is none). The library never exits, aborts or keeps global state. What a failed
- * call returned may be given to the next one: NULL in place of a scene, a renderer or an animation
- * makes it fail as well, without another message, and is destroyed without harm.
+ * error when there is none). The library never exits or aborts and keeps no global state. What a
+ * failed call returned may be passed on: given NULL in place of a scene, a renderer or an animation
+ * a function fails as well, without another message, and destroying NULL does nothing.
  *
- * Threads: a scene is immutable while it is rendered and may be read by several renderers at once.
- * Who edits it (csgcast_scene_edit and its kin, csgcast_scene_get_leaf) must be alone with it.
- * A renderer belongs to one thread at a time. It makes its own context current during a call and
- * restores what was current before. Renderers that draw in software take turns, since Mesa's does
- * not hold two threads; a log callback must not wait for another thread's renderer. With EGL a
- * process has one display per device: a program that calls eglTerminate for one of Mesa's
- * surfaceless platform destroys its renderers before.
+ * Threads: several renderers may read a scene at once. A thread that edits it (csgcast_scene_edit
+ * and its kin, csgcast_scene_get_leaf) must be the only one that uses it. A renderer belongs to one
+ * thread at a time. It makes its own context current during a call and restores what was current
+ * before. Renderers that draw in software take turns, since Mesa's software rasteriser does not
+ * bear two threads; so a log callback must not wait for another thread's renderer. With EGL a
+ * process has one display per device: a program that calls eglTerminate for a display of Mesa's
+ * surfaceless platform must destroy its renderers first.
  */
 
 #include <stdbool.h>
@@ -74,7 +74,7 @@ enum csgcast_message {
     CSGCAST_MESSAGE_SHADER,      /* a shader does not compile: a bug here or in the driver */
     CSGCAST_MESSAGE_ARGUMENT,    /* a parameter of a call is out of range */
     CSGCAST_MESSAGE_IMAGE,       /* an image cannot be encoded or written */
-    CSGCAST_MESSAGE_PROGRESS,    /* INFO: how far work is that takes more than a second */
+    CSGCAST_MESSAGE_PROGRESS,    /* INFO: how far work has come that takes more than a second */
 };
 
 /* text: one message, no newline at its end, valid during the call only. */
@@ -98,21 +98,21 @@ struct csgcast_scene_params {
     size_t num_defines;         /* default 0 */
     const char *parameter_file; /* a customizer's JSON file, openscad's -p, and */
     const char *parameter_set;  /* the name of the set in it, -P. NULL: none */
-    const char *const *fonts;   /* num_fonts font files for text() besides the machine's, as
-                                 * OpenSCAD's use <x.ttf>; those that a .scad uses are known */
+    const char *const *fonts;   /* num_fonts font files for text() besides the machine's; those that
+                                 * a .scad names by use <x.ttf> are found without */
     size_t num_fonts;           /* default 0 */
-    const char *directory;      /* where relative file names in the scene start. NULL: that of the
-                                 * path; the working directory for text in memory and "-" */
+    const char *directory;      /* where relative file names in the scene start. NULL: the path's
+                                 * folder; for text in memory and "-" the working directory */
     const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
     bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
-    const char *cache;   /* directory for what openscad made of them; "": none. NULL:
+    const char *cache;   /* directory that keeps what openscad made of them; "": none. NULL:
                           * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
     uint64_t cache_size; /* its bound in bytes. 0: $CSGCAST_CACHE_SIZE in MiB, or 256 MiB */
     csgcast_log_fn *log; /* NULL: standard error */
     void *log_user;      /* passed to log */
-    int num_threads;     /* that read it, as in csgcast_renderer_params */
-    bool fixed;          /* no edits will follow, and they are errors: the text, which they start
-                          * from, is not kept, and programs that they may ask for are not compiled */
+    int num_threads;     /* threads that read it, as in csgcast_renderer_params */
+    bool fixed;          /* the scene is never edited: edits are errors, the text that they start
+                          * from is not kept, and programs that they may need are not compiled */
 };
 
 struct csgcast_scene;
@@ -132,10 +132,11 @@ CSGCAST_API struct csgcast_scene *csgcast_scene_parse(const char *text, size_t s
 CSGCAST_API void csgcast_scene_destroy(struct csgcast_scene *scene);
 
 /*
- * A .scad file at num_frames moments, $t = 0, 1 / num_frames, ..., from 1 to 100000, as openscad
- * --animate has it: one run of openscad for all of them. Each is a scene of its own, whose camera
- * moves where the file assigns $vpr and its like. params as for csgcast_scene_load; log must stay.
- * The texts are in a temporary folder until it is destroyed. NULL on error.
+ * A .scad file at num_frames moments, $t = 0, 1 / num_frames, ..., as openscad --animate has it:
+ * one run of openscad for all of them. num_frames: 1 to 100000. Each frame is a scene of its own,
+ * whose camera moves where the file assigns $vpr and its like. params as for csgcast_scene_load;
+ * its log is used until the animation is destroyed. Until then the texts are in a temporary folder.
+ * NULL on error.
  */
 struct csgcast_animation;
 CSGCAST_API struct csgcast_animation *
@@ -160,7 +161,7 @@ enum csgcast_way {
     CSGCAST_WAY_OPENSCAD, /* a mesh that openscad's kernel has made, or a drawing */
 };
 
-/* Nodes of one name that come about in one way; of CSGCAST_WAY_OPENSCAD each for itself. */
+/* Nodes of one name that come about in one way; nodes of CSGCAST_WAY_OPENSCAD each by itself. */
 struct csgcast_scene_way {
     enum csgcast_way way;
     const char *name;   /* of the node, e.g. "cylinder" */
@@ -168,34 +169,39 @@ struct csgcast_scene_way {
     size_t num_nodes;
     size_t num_leaves;     /* that they became; 0 for a drawing, which is part of other nodes */
     unsigned line, column; /* of the first of them; of .scad: in the flattened text */
-    double seconds;        /* OPENSCAD: that openscad took, now or when it went to the cache */
+    double seconds;        /* OPENSCAD: what openscad took, now or when it went to the cache */
     bool cached;           /* OPENSCAD: it comes from the cache */
 };
 
+/* What a scene consists of. kinds and ways live until the scene is edited or destroyed. */
 struct csgcast_scene_info {
-    size_t num_leaves;      /* solids that take part, highlighted and background ones included */
-    size_t num_nodes;       /* Boolean nodes after simplification */
-    size_t depth;           /* of the simplified Boolean tree; one leaf alone has depth 0 */
-    size_t num_objects;     /* independent union terms, drawn separately */
-    size_t num_planes;      /* distinct plane carriers after coincident ones were merged */
-    size_t num_quadrics;    /* distinct quadric carriers, likewise */
-    size_t num_shared;      /* faces that share another face's carrier: flush, abutting, equal */
-    size_t num_dropped;     /* leaves left out because they are empty or cannot be seen */
-    size_t num_exact;       /* leaves whose curved surface is exact */
-    size_t num_facetted;    /* leaves drawn with OpenSCAD's facets */
-    size_t num_highlighted; /* leaves under # */
-    double sagitta;         /* OpenSCAD's facets are at most this far from the exact surfaces; scene
-                             * units, 0: there are none */
-    size_t num_background;  /* leaves under % */
-    size_t max_crossings;   /* most boundary crossings that one ray can have */
+    /* Leaves: the solids of the text. */
+    size_t num_leaves;      /* that take part, highlighted and background ones included */
+    size_t num_exact;       /* whose curved surface is exact */
+    size_t num_facetted;    /* drawn with OpenSCAD's facets */
+    size_t num_highlighted; /* under # */
+    size_t num_background;  /* under % */
+    size_t num_dropped;     /* left out because they are empty or cannot be seen */
     size_t num_kinds;       /* entries in kinds */
-    const struct csgcast_kind_count *kinds; /* kinds in use; lives as long as the scene */
-    size_t num_triangles;                   /* of the leaves that are surfaces of triangles */
-    size_t num_handed_off;                  /* nodes that openscad has evaluated */
-    size_t num_rounded; /* numbers of the text that may be rounded to six digits, as OpenSCAD
-                         * writes them; .scad: 0 where it could be made to write all */
-    size_t num_ways;    /* entries in ways */
-    const struct csgcast_scene_way *ways; /* in the order of enum csgcast_way; as kinds */
+    const struct csgcast_kind_count *kinds; /* kinds in use */
+    /* The Boolean tree after simplification. */
+    size_t num_nodes;     /* Boolean nodes */
+    size_t depth;         /* one leaf alone has depth 0 */
+    size_t num_objects;   /* independent union terms, drawn separately */
+    size_t max_crossings; /* most boundary crossings that one ray can have */
+    /* Surfaces. */
+    size_t num_planes;    /* distinct plane carriers after coincident ones were merged */
+    size_t num_quadrics;  /* distinct quadric carriers, likewise */
+    size_t num_shared;    /* faces that share another face's carrier: flush, abutting, equal */
+    size_t num_triangles; /* of the leaves that are surfaces of triangles */
+    /* Differences from what is meant. */
+    double sagitta;        /* OpenSCAD's facets are at most this far from the exact surfaces; scene
+                            * units, 0: there are none */
+    size_t num_handed_off; /* nodes that openscad has evaluated */
+    size_t num_rounded;    /* numbers of the text that may be rounded to six digits, as OpenSCAD
+                            * writes them; .scad: 0 where it could be made to write all */
+    size_t num_ways;       /* entries in ways */
+    const struct csgcast_scene_way *ways; /* how nodes come about, in the order of the enum */
 };
 
 CSGCAST_API void csgcast_scene_get_info(const struct csgcast_scene *scene,
@@ -208,14 +214,15 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
 /* ---- edits ---------------------------------------------------------------------------------- */
 
 /*
- * A scene's leaves are its solids in the order of the text: the index of the channel id. An edit
- * changes matrix, parameters or colour of some of them as if the text had been changed and loaded
- * again, to the last bit; what follows from them (bounds, what is left out, coincident faces) is
- * made anew, also what had been left out before. Renderers keep their programs: the frame after an
- * edit uploads bytes and compiles nothing. What newly shows is drawn by programs that are there; a
- * further frame without an edit between may compile one that draws it sooner, as a moved camera's
- * may. The first frame of a scene compiles what edits may ask for, unless the scene is fixed
- * (csgcast_scene_params).
+ * A scene's leaves are its solids in the order of the text; their index is what the channel id
+ * shows. An edit changes the matrix, parameters or colour of some of them, and the result is that
+ * of loading the changed text, to the last bit: what follows from them (bounds, what is left out,
+ * coincident faces) is made anew.
+ *
+ * The frame after an edit uploads bytes and compiles no program: what newly shows is drawn by
+ * programs that are there, and the first frame of a scene compiles those that edits may need (not
+ * of a fixed scene, see csgcast_scene_params). The next frame without an edit before it may compile
+ * a program that draws faster, as a frame with a moved camera may.
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
  * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
@@ -223,14 +230,14 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
 struct csgcast_leaf {
     const char *kind;      /* of the node, e.g. "cylinder"; static */
     unsigned line, column; /* of the node in the text, from 1; of .scad: in the flattened text */
-    size_t first, num;     /* the leaves of its node: itself, but for nodes with several */
-    bool empty;            /* an edit left nothing of it; it keeps its index */
+    size_t first, num;     /* the leaves of its node; of most nodes this one alone */
+    bool empty;            /* an edit has left nothing of it; it keeps its index */
     /* From the solid's own space (docs/solids.md) to the world: the product of all matrices around
      * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
     double matrix[16];
     float color[4]; /* r g b a as the outermost color() says; below 0: the scheme's */
-    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Until the next edit or
-     * the end of the scene; "" where the leaf is one of several. */
+    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2"; "" where the leaf is
+     * one of several. Lives until the scene is edited or destroyed. */
     const char *parameters;
 };
 
@@ -238,7 +245,7 @@ struct csgcast_leaf {
 CSGCAST_API size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene);
 
 /* The first call on a scene, or the first edit, reads its text once more. false, with a message,
- * when there is no such leaf, the scene is fixed (csgcast_scene_params) or memory is out. */
+ * where there is no such leaf, the scene is fixed or memory is out. */
 CSGCAST_API bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t leaf,
                                         struct csgcast_leaf *info);
 
@@ -246,21 +253,21 @@ CSGCAST_API bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t leaf
 struct csgcast_edit {
     size_t leaf;
     /* 16 numbers by rows, as in struct csgcast_leaf: replaces all matrices around the leaf. All
-     * finite, the last row 0 0 0 1. A singular matrix leaves nothing of the leaf. Numbers count as
-     * multmatrix's do in the text right at the leaf; those that are not changed keep the rounding
+     * finite, the last row 0 0 0 1. A singular matrix leaves nothing of the leaf. The numbers count
+     * as those of a multmatrix right at the leaf; numbers that do not change keep the rounding that
      * they have from the file (docs/coincidence.md). */
     const double *matrix;
     /* All of the node's arguments as scene text: "r = 3, $fn = 40". What is not given takes its
      * default. Parameters that make nothing (r = 0) leave nothing of the leaf. */
     const char *parameters;
-    /* r g b a, finite. Below 0: the scheme's, or where all of them are, as without color(). */
+    /* r g b a, finite. A component below 0 is the scheme's; all below 0: as without color(). */
     const float *color;
 };
 
 /*
- * Makes all changes, then what follows from them, once: all or, false with a message for the first
- * that is wrong, none. Of several for the same leaf the last one counts. Messages about parameters
- * begin with "<edit of leaf N>:line:column:".
+ * Makes all changes, then once what follows from them. false, with a message for the first change
+ * that is wrong, where none was made. Of several changes of the same leaf the last one counts.
+ * Messages about parameters begin with "<edit of leaf N>:line:column:".
  */
 CSGCAST_API bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *edits,
                                     size_t num_edits);
@@ -278,7 +285,7 @@ CSGCAST_API bool csgcast_scene_set_color(struct csgcast_scene *scene, size_t lea
 /*
  * The cache on disk keeps what openscad made of subtrees that only it can evaluate, by content: the
  * text of the subtree, the files that it reads, openscad's version, the fonts where it has text.
- * What was not used for the longest time is removed when it becomes larger than its bound. It may
+ * Where it becomes larger than its bound, what was not used for the longest time is removed. It may
  * be cleared or deleted at any time, and several processes may use it at once.
  */
 struct csgcast_cache_info {
@@ -335,10 +342,11 @@ struct csgcast_view {
 /* The names of the colour schemes, index 0 the default; NULL past the last. */
 CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
 
-/* The names of the resolvers that can be forced; NULL past the last. All give the same picture but
- * "textbook", a baseline for comparisons: the quadratic formula in world space, in float32.
- * "shared" is for who draws a picture or two of a scene: auto without programs for its structures,
- * which take some 100 ms each to compile the first time a machine sees them. */
+/* The names of the resolvers that can be forced; NULL past the last. All give the same picture
+ * except "textbook", a baseline for comparisons: the quadratic formula in world space, in float32.
+ * "shared" suits callers that draw a picture or two of a scene: it is auto without programs for the
+ * scene's own structures, each of which takes some 100 ms to compile on a machine that has not seen
+ * it. */
 CSGCAST_API const char *csgcast_variant_name(size_t index);
 
 /* A camera resolved against a scene: what is rendered. All vectors in scene units. */
@@ -367,13 +375,13 @@ struct csgcast_renderer_params {
     enum csgcast_backend backend;
     csgcast_log_fn *log; /* NULL: standard error */
     void *log_user;
-    /* Create returns at once, and a thread loads the driver and makes the context meanwhile: for
-     * who has a scene to load (some 60 ms on llvmpipe). The first csgcast_render waits for it, and
-     * fails where the backend is not available; messages come from its thread. */
+    /* csgcast_renderer_create returns at once and a thread loads the driver and makes the context,
+     * some 60 ms with llvmpipe, while the caller loads its scene. The first csgcast_render waits
+     * for it, and fails where the backend is not available; messages come from that thread. */
     bool background;
     /* Threads that prepare a picture, or cast it where OpenGL does not, csgcast_render's caller one
-     * of them, 1 to 64; 0, and anything else: as many as there are cores. Pictures do not depend on
-     * it. The driver's own threads are its own affair: llvmpipe's are set by LP_NUM_THREADS. */
+     * of them, 1 to 64. 0 and anything else: as many as there are cores. Pictures do not depend on
+     * it. The driver has threads of its own: llvmpipe's number is set by LP_NUM_THREADS. */
     int num_threads;
 };
 
@@ -384,8 +392,8 @@ CSGCAST_API struct csgcast_renderer *
 csgcast_renderer_create(const struct csgcast_renderer_params *params);
 CSGCAST_API void csgcast_renderer_destroy(struct csgcast_renderer *renderer);
 
-/* "egl: llvmpipe (LLVM 15, 256 bits), 4.5 core": for people. Lives as long as the renderer. With
- * background known after the first picture. */
+/* "egl: llvmpipe (LLVM 15, 256 bits), 4.5 core": for people. Lives as long as the renderer. Of a
+ * renderer made in the background it is known after the first picture. */
 CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *renderer);
 
 /*
@@ -398,7 +406,7 @@ struct csgcast_image {
     float *z;       /* width * height: distance along the view axis, infinity on a miss */
     float *normal;  /* width * height * 3: unit, world space, out of the solid, 0 on a miss */
     float *id;      /* width * height: index of the visible leaf in file order, -1 on a miss */
-    uint8_t *rgba8; /* width * height * 4: rgba * 255, rounded; without rgba the cheaper one */
+    uint8_t *rgba8; /* width * height * 4: rgba * 255, rounded; alone it is cheaper than rgba */
 };
 
 /* Blocks until image is filled. false, with a message, on failure: image is then undefined. */
@@ -418,38 +426,42 @@ struct csgcast_kind_waste {
 /* More kinds of solid than there are. */
 #define CSGCAST_MAX_KINDS 32
 
-/* What the last csgcast_render of this renderer did. */
+/* What the last csgcast_render of this renderer did. Times are in ms. */
 struct csgcast_stats {
+    /* Objects, and what draws them. */
     char variants[256];        /* resolvers used, with the number of objects each drew */
-    size_t texture_bytes;      /* the float texture: parameters and programs */
-    size_t bytes_uploaded;     /* in this frame */
-    size_t programs;           /* shader programs that this renderer has compiled so far */
-    double compile_ms;         /* spent compiling them, of that this frame's part */
-    double cpu_ms;             /* preparing this frame in double precision */
-    double frame_ms;           /* the whole call */
     size_t objects_drawn;      /* the others are outside the view */
-    size_t proxy_pixels;       /* pixels covered by the objects' bounds, overlaps counted */
-    size_t hit_pixels;         /* pixels that show a solid, where has_hit_pixels */
-    size_t unfinished_pixels;  /* too much for a fragment program: cast on the CPU instead */
+    size_t overflowed_objects; /* too large for the variant that was forced: the loop drew them */
     size_t precise_objects;    /* drawn in double, where float does not hold them */
     char numerics[1024];       /* which, and why: a line for each, as many as fit; "": none */
-    size_t overflowed_objects; /* too large for the variant that was forced: the loop drew them */
-    /* Solids in the programs of the rectangles that were drawn, times their pixels; divided by
-     * proxy_pixels: tests per pixel. */
-    size_t solid_tests;
+    size_t programs;           /* shader programs that this renderer has compiled so far */
+    /* Bytes. */
+    size_t texture_bytes;  /* the float texture: parameters and programs */
+    size_t bytes_uploaded; /* in this frame */
+    /* Pixels. */
+    size_t proxy_pixels;      /* covered by the objects' bounds, overlaps counted */
+    size_t solid_tests;       /* solids in the programs of the rectangles that were drawn, times
+                               * their pixels; divided by proxy_pixels: tests per pixel */
+    bool has_hit_pixels;      /* z or id was asked for, which hit_pixels is counted from */
+    size_t hit_pixels;        /* that show a solid, where has_hit_pixels */
+    size_t unfinished_pixels; /* too much for a fragment program: cast on the CPU instead */
     /* Large objects are drawn in tiles: those in which nothing is left, those in which some solid
      * fills the tile and hides the rest, and the others. */
     size_t tiles_empty, tiles_opaque, tiles_mixed;
-    /* Time per stage in ms. The scene's: reading it, openscad included, and preparing it (trees,
-     * coincident faces), by the load or the last edit. The frame's: tile_ms and pack_ms make up
-     * cpu_ms; draw_ms ends when the driver has drawn, read_ms when the caller's buffers are
-     * filled. All but the scene's are 0 for the reference backend. */
-    double load_ms, csg_ms;
-    double tile_ms, pack_ms, upload_ms, draw_ms, read_ms;
-    bool has_hit_pixels; /* z or id was asked for, which hit_pixels is counted from */
     /* Where id was asked for, but not of the reference backend; else none. */
     struct csgcast_kind_waste single_kinds[CSGCAST_MAX_KINDS];
     size_t num_single_kinds;
+    /* The scene's: reading it, openscad included, and preparing it (trees, coincident faces), by
+     * the load or the last edit. */
+    double load_ms, csg_ms;
+    /* The frame's. For the reference backend all but frame_ms are 0. */
+    double frame_ms;         /* the whole call */
+    double compile_ms;       /* of that: compiling programs */
+    double cpu_ms;           /* preparing it in double precision, made up of the next two */
+    double tile_ms, pack_ms; /* tiling; terms, records and what cannot show */
+    double upload_ms;        /* handing it over to the driver */
+    double draw_ms;          /* until the driver has drawn */
+    double read_ms;          /* until the caller's buffers are filled */
 };
 
 CSGCAST_API void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
@@ -472,14 +484,15 @@ struct csgcast_write_params {
 };
 
 /*
- * Writes image, PNG with libpng and all else with OpenImageIO, beside the target first and then
- * renamed: never half a file.
- * path "-" writes to standard output, as PNG unless format says otherwise; a device or a pipe is
- * written to and not replaced. Colour values are written as they are, without conversion. Where
- * all of alpha is 1 there is no alpha channel, but in EXR. EXR channels: R G B A Z N.X N.Y N.Z id;
- * without colour only those after A. Colour is rgba, or where that is NULL rgba8: in a file of 8
- * bits the same bytes, in others those values / 255. An error where the format cannot hold what is
- * asked for.
+ * Writes image, PNG with libpng and everything else with OpenImageIO, beside the target first and
+ * then renamed: never half a file. path "-" writes to standard output, as PNG unless format says
+ * otherwise; a device or a pipe is written to and not replaced.
+ *
+ * Colour is rgba, or where that is NULL rgba8: in a file of 8 bits the same bytes, in others those
+ * values / 255. Values are written as they are, without conversion. Where alpha is 1 everywhere
+ * there is no alpha channel, except in EXR. EXR channels: R G B A Z N.X N.Y N.Z id; without colour
+ * only those after A. What the format cannot hold is an error.
+ *
  * Any thread; OpenImageIO is loaded by the first call for another format than PNG.
  */
 CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
@@ -488,9 +501,9 @@ CSGCAST_API bool csgcast_image_write(const char *path, int width, int height,
 
 /*
  * Optional, and of no use for PNG: starts to load OpenImageIO and its 260 shared libraries (about
- * 0.25 s) in a background thread beside rendering; csgcast_image_write waits for the rest. Any
- * number of times, from the thread that will end the program: its exit waits for the loading.
- * Failures show in csgcast_image_write. Does nothing where the C library is not glibc.
+ * 0.25 s) in a background thread; csgcast_image_write waits for the rest. May be called any number
+ * of times, from the thread that will end the program, whose exit waits for the loading. Failures
+ * show in csgcast_image_write. Does nothing where the C library is not glibc.
  */
 CSGCAST_API void csgcast_image_preload(void);
 
@@ -498,9 +511,9 @@ CSGCAST_API void csgcast_image_preload(void);
 
 /*
  * Writes the scene for another program, which then draws the same solids from the same camera in
- * the same colours. view: NULL for the default; its variant is not looked at, and of its size only
- * the ratio. format: a name of csgcast_export_format_name. NULL: the path's extension. path and
- * failures as with csgcast_image_write; messages go to the scene's log.
+ * the same colours. view: NULL for the default; its variant does not matter, and of its size only
+ * the ratio does. format: a name of csgcast_export_format_name. NULL: the path's extension. path
+ * and failures as with csgcast_image_write; messages go to the scene's log.
  *
  * "pov" is POV-Ray 3.7: its own spheres, boxes, cylinders, cones, quadrics and planes under its own
  * Booleans, exact as here, without shadows and reflections. POV-Ray does not know coincident faces:
