@@ -27,20 +27,6 @@ bool csg_import_has_ending(const char *name, const char *ending)
     return name && csg_path_ends(name, ending);
 }
 
-bool csg_import_is_mesh(const char *name)
-{
-    static const char *const endings[] = {".stl", ".off", ".amf", ".3mf"};
-    bool is_mesh = false;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        is_mesh = is_mesh || csg_import_has_ending(name, endings[i]);
-    return is_mesh;
-}
-
-bool csg_import_is_drawing(const char *name)
-{
-    return csg_import_has_ending(name, ".dxf") || csg_import_has_ending(name, ".svg");
-}
-
 const struct csg_xml_module *csg_import_xml(struct csg_walk *walk)
 {
     struct csg_xml_state *state = &walk->builder->xml;

@@ -13,10 +13,10 @@ const char *csg_import_name(const struct csg_args *args);
 /* Whether a file's name, or NULL, ends so, in large letters or small. */
 bool csg_import_has_ending(const char *name, const char *ending);
 
-/* Whether csg_compound_import reads files with that name's ending. */
+/* Whether the name, or NULL, has an ending of the table in import_mesh.c. */
 bool csg_import_is_mesh(const char *name);
 
-/* Whether the ending is that of a drawing. */
+/* Whether the name, or NULL, has an ending of the table in import_drawing.c. */
 bool csg_import_is_drawing(const char *name);
 
 /* Reads the drawing in the file that an extrusion names; scale: of DXF. What is wrong with the file

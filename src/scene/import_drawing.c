@@ -19,6 +19,7 @@ struct source {
     struct csg_walk *walk;
     uint32_t node;
     const struct csg_args *args;
+    double scale; /* of DXF */
     const char *name;
     struct csg_bytes bytes;
     size_t num_warnings;
@@ -57,9 +58,9 @@ static struct csg_dxf_params dxf_params(const struct csg_args *args, double scal
     return params;
 }
 
-static bool add_dxf(struct source *source, double scale, struct csg_drawing *drawing)
+static bool add_dxf(struct source *source, struct csg_drawing *drawing)
 {
-    const struct csg_dxf_params params = dxf_params(source->args, scale);
+    const struct csg_dxf_params params = dxf_params(source->args, source->scale);
     const struct csg_dxf_warnings warnings = {source, warn};
     const uint32_t draw = (uint32_t)drawing->nodes.num;
     const size_t num_contours = drawing->contours.num;
@@ -159,16 +160,34 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
 
 /* ---- the nodes ------------------------------------------------------------------------------ */
 
+/* The kinds of files. add: false, with a message, when memory is out. */
+static const struct format {
+    const char *ending;
+    bool (*add)(struct source *source, struct csg_drawing *drawing);
+} formats[] = {{".dxf", add_dxf}, {".svg", add_svg}};
+
+static const struct format *find_format(const char *name)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (csg_import_has_ending(name, formats[i].ending))
+            return &formats[i];
+    return NULL;
+}
+
+bool csg_import_is_drawing(const char *name)
+{
+    return find_format(name) != NULL;
+}
+
 static bool read_file(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                       double scale, struct csg_drawing *drawing)
 {
-    struct source source = {.walk = walk, .node = node, .args = args};
+    struct source source = {.walk = walk, .node = node, .args = args, .scale = scale};
     const uint32_t draw = (uint32_t)drawing->nodes.num;
     bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
-    if (ok && source.name && csg_import_has_ending(source.name, ".dxf"))
-        ok = add_dxf(&source, scale, drawing);
-    else if (ok && source.name && csg_import_has_ending(source.name, ".svg"))
-        ok = add_svg(&source, drawing);
+    const struct format *format = find_format(source.name);
+    if (ok && format)
+        ok = format->add(&source, drawing);
     else if (ok && source.name)
         csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported",
                              source.name);

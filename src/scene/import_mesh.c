@@ -46,15 +46,15 @@ static void warn_if_empty(const struct source *source)
 
 /* ---- STL and OFF ---------------------------------------------------------------------------- */
 
-static bool read_plain(struct source *source)
+static bool read_plain(struct source *source,
+                       enum csg_mesh_file (*read)(const struct csg_bytes *bytes,
+                                                  struct csg_mesh *mesh, size_t *line))
 {
     struct csg_mesh *mesh = csg_mesh_list_add(&source->list);
     size_t line;
     if (!mesh)
         return no_memory(source);
-    const enum csg_mesh_file result = csg_import_has_ending(source->name, ".off")
-                                          ? csg_off_file_read(&source->bytes, mesh, &line)
-                                          : csg_stl_file_read(&source->bytes, mesh, &line);
+    const enum csg_mesh_file result = read(&source->bytes, mesh, &line);
     if (result == CSG_MESH_FILE_NO_MEMORY)
         return no_memory(source);
     if (result == CSG_MESH_FILE_FOREIGN)
@@ -71,6 +71,16 @@ static bool read_plain(struct source *source)
     else
         csg_mesh_list_finish(&source->list);
     return true;
+}
+
+static bool read_stl(struct source *source)
+{
+    return read_plain(source, csg_stl_file_read);
+}
+
+static bool read_off(struct source *source)
+{
+    return read_plain(source, csg_off_file_read);
 }
 
 /* ---- AMF ------------------------------------------------------------------------------------ */
@@ -121,6 +131,25 @@ static bool read_3mf(struct source *source)
 
 /* ---- the node ------------------------------------------------------------------------------- */
 
+/* The kinds of files: what reads one fills the list. false, with a message, when memory is out. */
+static const struct format {
+    const char *ending;
+    bool (*read)(struct source *source);
+} formats[] = {{".stl", read_stl}, {".off", read_off}, {".amf", read_amf}, {".3mf", read_3mf}};
+
+static const struct format *find_format(const char *name)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (csg_import_has_ending(name, formats[i].ending))
+            return &formats[i];
+    return NULL;
+}
+
+bool csg_import_is_mesh(const char *name)
+{
+    return find_format(name) != NULL;
+}
+
 /* OpenSCAD unites several objects. */
 static bool add_meshes(const struct source *source, struct csg_part *part)
 {
@@ -136,20 +165,13 @@ static bool add_meshes(const struct source *source, struct csg_part *part)
     return ok;
 }
 
-static bool read_file(struct source *source)
-{
-    if (csg_import_has_ending(source->name, ".amf"))
-        return read_amf(source);
-    return csg_import_has_ending(source->name, ".3mf") ? read_3mf(source) : read_plain(source);
-}
-
 bool csg_compound_import(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                          bool in_boolean, struct csg_part *part)
 {
     struct source source = {.walk = walk, .node = node, .in_boolean = in_boolean};
     bool ok = csg_import_read(walk, node, args, &source.name, &source.bytes);
     if (ok && source.name)
-        ok = read_file(&source) && add_meshes(&source, part);
+        ok = find_format(source.name)->read(&source) && add_meshes(&source, part);
     csg_mesh_list_finish(&source.list);
     free(source.bytes.data);
     return ok;
