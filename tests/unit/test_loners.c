@@ -13,6 +13,7 @@
 #include "check.h"
 #include "dice.h"
 #include "csg/carrier.h"
+#include "csg/carrier_builder.h"
 #include "csg/scene.h"
 
 enum { NUM_CUBES = 4000, NUM_SPHERES = 3000, RANGE = 30000, ROOM = 1 << 20 };
@@ -84,6 +85,38 @@ static void check_planes(const struct csgcast_scene *scene, size_t num_planes)
         }
 }
 
+static size_t count(const uint8_t *loners, size_t num)
+{
+    size_t sum = 0;
+    for (size_t i = 0; i < num; i++)
+        sum += loners[i];
+    return sum;
+}
+
+/* Of faces with a number of their own most are found to be alone, and others never. */
+static void check_found(const struct csgcast_scene *scene, size_t num_quadrics)
+{
+    struct csg_carriers *carriers = calloc(1, sizeof *carriers);
+    struct csg_carrier_builder builder = {.scene = scene, .carriers = carriers};
+    const struct csg_loners *loners = &builder.loners;
+    const bool ok =
+        carriers && csg_carrier_rank_leaves(&builder) && csg_carrier_outline(&builder) &&
+        csg_remote_find(&builder.remote, scene, builder.wanted, builder.largest_rounding) &&
+        csg_carrier_start_index(&builder) && csg_carriers_allocate_faces(&builder) &&
+        csg_loners_find(&builder.loners, &builder);
+    CHECK(ok && loners->planes && loners->quadrics, "no loners are looked for");
+    if (ok && loners->planes && loners->quadrics) {
+        const size_t num_faces = carriers->face_begin[scene->num_leaves];
+        const size_t planes = count(loners->planes, num_faces);
+        const size_t quadrics = count(loners->quadrics, scene->num_leaves);
+        CHECK(planes > num_faces / 2, "%zu lone planes of %zu", planes, num_faces);
+        CHECK(quadrics > num_quadrics / 2 && quadrics < num_quadrics, "%zu lone quadrics of %zu",
+              quadrics, num_quadrics);
+    }
+    csg_carrier_builder_finish(&builder);
+    csg_carriers_destroy(carriers);
+}
+
 int main(void)
 {
     static bool used[3][RANGE + 100];
@@ -99,6 +132,7 @@ int main(void)
         check_planes(scene, num_planes);
         CHECK(scene->carriers->num_quadrics == num_quadrics, "%zu quadrics, of %zu",
               scene->carriers->num_quadrics, num_quadrics);
+        check_found(scene, num_quadrics);
         CHECK(num_planes < 6 * NUM_CUBES - 1000, "the test tests little: %zu planes", num_planes);
     }
     csgcast_scene_destroy(scene);
