@@ -63,12 +63,10 @@ PART void project_flat_axis(const struct csg_camera *camera, int axis, const str
                             const double *restrict radius, size_t num,
                             struct csg_ball_prints *restrict out)
 {
-    const double scale = camera->scale[axis], shift = camera->shift[axis];
-    const double size = camera->size[axis];
+    const double scale = camera->scale[axis], size = camera->size[axis];
     for (size_t i = 0; i < num; i++)
-        put_range((seen->c[axis][i] - radius[i]) * scale - shift,
-                  (seen->c[axis][i] + radius[i]) * scale - shift, size, &out->lo[axis][i],
-                  &out->hi[axis][i]);
+        put_range((seen->c[axis][i] - radius[i]) * scale, (seen->c[axis][i] + radius[i]) * scale,
+                  size, &out->lo[axis][i], &out->hi[axis][i]);
 }
 
 WIDE void project(const struct csg_camera *camera, const double *restrict x,

@@ -14,18 +14,30 @@
 
 enum { num_rows = 300, width = 640, height = 200 };
 
+static struct csg_vec3 random_direction(void)
+{
+    const double x = random_between(-1, 1), y = random_between(-1, 1), z = random_between(-1, 1);
+    return csg_normalize(csg_vec3(x, y, z));
+}
+
+/* From anywhere, past the middle of the scene, the picture turned by any angle. */
 static struct csg_screen random_screen(void)
 {
     const bool orthographic = random_between(0, 1) < 0.3;
     const double half = orthographic ? random_between(1, 9) : random_between(0.1, 1);
-    const struct csgcast_frustum frustum = {
-        .eye = {random_between(-2, 2), -10, random_between(-2, 2)},
-        .right = {1, 0, 0},
-        .up = {0, 0, 1},
-        .forward = {0, 1, 0},
-        .half_width = half,
-        .half_height = half * height / width,
-        .orthographic = orthographic};
+    const struct csg_vec3 side = random_direction(), forward = random_direction();
+    const struct csg_vec3 right = csg_normalize(csg_cross(forward, side));
+    const struct csg_vec3 up = csg_cross(right, forward);
+    const double x = random_between(-2, 2), y = random_between(-2, 2);
+    const struct csg_vec3 eye =
+        csg_add(csg_scale(-10, forward), csg_add(csg_scale(x, right), csg_scale(y, up)));
+    const struct csgcast_frustum frustum = {.eye = {eye.x, eye.y, eye.z},
+                                            .right = {right.x, right.y, right.z},
+                                            .up = {up.x, up.y, up.z},
+                                            .forward = {forward.x, forward.y, forward.z},
+                                            .half_width = half,
+                                            .half_height = half * height / width,
+                                            .orthographic = orthographic};
     const struct csg_box box = {{-5, -5, -5}, {5, 5, 5}};
     struct csg_screen screen;
     csg_screen_init(&screen, &frustum, width, height, &box, true);
