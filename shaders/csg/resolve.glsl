@@ -2,8 +2,8 @@
 /* The first change of the solid along the ray, by interval jumping. */
 
 /* Where the solid, seen from outside, begins; seen from inside, ends. False: nowhere in view. Out
- * of turns, the answer means nothing. CSG_REAR: where it ends for the first time, seen from outside.
- */
+ * of turns, the answer means nothing. CSG_REAR: where it ends for the first time, seen from
+ * outside. */
 bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int begin = object.x, end = object.y;

@@ -14,7 +14,8 @@ int csg_slot_number(vec4 plane, int place)
 
 /*
  * The record at p, p moves past it; beyond the last one, the complement of a solid that no ray
- * meets, in the first one's clause. head: flags, and where the normals are, as csg_normals_of has it.
+ * meets, in the first one's clause. head: flags, and where the normals are, as csg_normals_of has
+ * it.
  */
 void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out vec4 e1, out vec4 x0,
                    out vec4 x1, out bool has_quadric)

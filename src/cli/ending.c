@@ -12,7 +12,7 @@ static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
 
 enum { NUM_NUMBERS = sizeof numbers / sizeof *numbers };
 
-/* Those that whoever started us does not want to be ignored, as nohup does. */
+/* Signals that our parent has not set to be ignored, as nohup does. */
 static void find_signals(sigset_t *signals)
 {
     struct sigaction action;
@@ -35,7 +35,7 @@ static void *wait_for_signals(void *unused)
     csg_folder_remove_all();
     signal(number, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
-    raise(number); /* so that who waits for us is told */
+    raise(number); /* the parent learns from it how we ended */
     return unused;
 }
 

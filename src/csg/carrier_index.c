@@ -108,8 +108,8 @@ static bool is_same_entry(const struct csg_index_entry *a, uint64_t key, int64_t
     return a->key == key && a->normal == normal;
 }
 
-/* An entry of a normal in a coarse cell, among the first ones that are met: wide cells may have very
- * many. NO_ENTRY: there is none; then it gets one more. */
+/* An entry of a normal in a coarse cell, among the first ones that are met: wide cells may have
+ * very many. NO_ENTRY: there is none; then it gets one more. */
 static uint32_t find_normal(const struct csg_carrier_index *index, uint64_t key, int64_t normal)
 {
     uint32_t entry = index->buckets.data[csg_index_bucket(index, key)];

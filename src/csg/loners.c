@@ -34,7 +34,7 @@ struct search {
 
 /* Planes of one leaf. */
 struct planes {
-    const struct csg_surface *surface; /* NULL: data are they */
+    const struct csg_surface *surface; /* NULL: the planes are in data */
     const uint8_t *near;
     struct csg_map inverse;
     const struct csg_plane *data;

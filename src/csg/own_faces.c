@@ -31,8 +31,8 @@ static void fill_simple(struct csg_surface *surface)
                               : (struct csg_own_face){i, false};
 }
 
-/* Of all faces of the surface; and which most of a large one are, so that nobody looks for what they
- * lie upon. */
+/* Of all faces of the surface; and which most of a large one are, so that nobody looks for what
+ * they lie upon. */
 static bool start_index(struct csg_carrier_builder *builder, const struct csg_surface *surface)
 {
     const size_t num = surface->planes.num;

@@ -46,8 +46,8 @@ struct csg_plan {
 struct csg_plan *csg_plan_create(const struct csgcast_scene *scene);
 void csg_plan_destroy(struct csg_plan *plan);
 
-/* Texels of a record behind its header (shaders/common/layout.glsl); those of planes and quadrics are
- * two each where it is in double. */
+/* Texels of a record behind its header (shaders/common/layout.glsl); those of planes and quadrics
+ * are two each where it is in double. */
 static inline int32_t csg_record_terms(const float *head)
 {
     return (int32_t)head[0] + (int32_t)head[1] +

@@ -68,11 +68,11 @@ struct csg_surface {
     struct csg_surface *closed; /* see csg_surface_closed; NULL until it is asked for */
 };
 
-/* One sharer less; the last one takes it along. */
+/* One sharer fewer; the last one destroys it. */
 void csg_surface_destroy(struct csg_surface *surface);
 
-/* One sharer more. Returns surface. Not for several threads at a time: only who makes or edits a
- * scene makes and destroys sharers of its surfaces. */
+/* One sharer more. Returns surface. Not for several threads at a time: only the thread that makes
+ * or edits a scene makes and destroys sharers of its surfaces. */
 struct csg_surface *csg_surface_share(struct csg_surface *surface);
 
 /* A new surface, or a sharer, that is where place takes this one. NULL: out of memory, or place is

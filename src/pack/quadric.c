@@ -211,7 +211,7 @@ static double size_of_root(const struct quadratic *f, double pixels)
            fabs(f->a);
 }
 
-/* All of a sphere is in view: the closed form, whoever asks. */
+/* Of a whole sphere the closed form, as crowds have it: all get the same bits. */
 static bool put_ball(const struct csg_screen *screen, struct csg_pixel at,
                      const struct csg_quadric *quadric, double seen_radius,
                      double texels[CSG_QUADRIC_TEXELS][4])

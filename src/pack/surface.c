@@ -94,8 +94,8 @@ static struct csg_view_node view_triangle(const struct csg_surface_view *view, u
                                   -least(-p[0]->key, -p[1]->key, -p[2]->key)};
 }
 
-/* Whether a half number is between lo and hi. What is added and taken away rounds to a whole number;
- * floor() is a call where processors need not have the instruction. */
+/* Whether a half number is between lo and hi. What is added and taken away rounds to a whole
+ * number; floor() is a call where processors need not have the instruction. */
 static bool holds_half(double lo, double hi)
 {
     static const double whole = 0x1.8p52;

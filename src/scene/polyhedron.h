@@ -11,9 +11,9 @@
 bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh);
 
-/* Adds the solid of a clean mesh, the node's, to part: the one way from faces to leaves. in_boolean:
- * see struct csg_space; elsewhere faces that bound no volume are there as well, as sheets. What is
- * wrong with the mesh is reported. false, with a message, when memory is out. */
+/* Adds the solid of a clean mesh, the node's, to part: the one way from faces to leaves.
+ * in_boolean: see struct csg_space; elsewhere faces that bound no volume are there as well, as
+ * sheets. What is wrong with the mesh is reported. false, with a message, when memory is out. */
 bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
                         struct csg_mesh *mesh, struct csg_part *part);
 

@@ -12,7 +12,7 @@
 #include "scene/mesh_file.h"
 #include "scene/polyhedron.h"
 
-/* Of a row with a value that is none what stands before it counts. */
+/* Of a row with a word that is no number, what stands before it counts. */
 static bool add_row(struct csg_heights *heights, struct csg_words *words, bool *is_good)
 {
     const size_t begin = heights->values.num;
@@ -36,7 +36,7 @@ static bool add_row(struct csg_heights *heights, struct csg_words *words, bool *
     return ok && csg_array_push(&heights->rows, heights->values.num);
 }
 
-/* OpenSCAD ends at a value that is none. line: where. */
+/* OpenSCAD stops at a word that is no number. line: where that is. */
 static bool read_heights(struct csg_heights *heights, const struct csg_bytes *bytes, size_t *line)
 {
     struct csg_words words = {.at = bytes->data, .end = bytes->data + bytes->num, .line = 1};

@@ -2,7 +2,7 @@
 #ifndef CSG_SCENE_WALK_H
 #define CSG_SCENE_WALK_H
 
-/* What the walk over the nodes that makes the leaves hands to those who read single nodes. */
+/* The walk over the nodes that makes the leaves: what it hands to those that read single nodes. */
 
 #include "scene/build.h"
 

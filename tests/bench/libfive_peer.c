@@ -6,8 +6,8 @@
  *
  *     libfive_peer heightmap SCENE.csg ...
  *
- * Its rays are parallel, so the field is seen through the camera's perspective: x and y of the voxels
- * are places in the picture, -z is the distance along the view.
+ * Its rays are parallel, so the field is seen through the camera's perspective: x and y of the
+ * voxels are places in the picture, -z is the distance along the view.
  */
 
 #include "libfive_wrap.h"
@@ -84,7 +84,7 @@ static libfive_tree leaf_field(const struct csg_shape *shape)
     return field;
 }
 
-/* Of the subtree at *node, which is one past it afterwards. The scenes of the bench are not deep. */
+/* Of the subtree at *node, one past it afterwards. The scenes of the bench are not deep. */
 static libfive_tree tree_field(const struct csgcast_scene *scene, const struct csg_tree *tree,
                                size_t *node)
 {

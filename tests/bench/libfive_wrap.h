@@ -16,8 +16,8 @@ struct libfive_view {
     int num[3]; /* voxels */
 };
 
-/* tree: a libfive_tree. rgba: view->num[0] x num[1] pixels, the least y first; alpha is 0 where nothing is met, colours are
- * the components of the normal in the voxels' space. */
+/* tree: a libfive_tree. rgba: view->num[0] x num[1] pixels, the least y first; alpha is 0 where
+ * nothing is met, colours are the components of the normal in the voxels' space. */
 bool libfive_heightmap(const void *tree, const struct libfive_view *view, unsigned char *rgba);
 
 #ifdef __cplusplus

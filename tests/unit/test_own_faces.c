@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Of a surface of many faces nearly all lie on no other one's plane, and those that do are found all
- * the same: a relief of random heights with a plateau, whose corners are as level as arithmetic
+ * Of a surface of many faces nearly all lie on no other one's plane, and those that do are found
+ * all the same: a relief of random heights with a plateau, whose corners are as level as arithmetic
  * leaves them.
  */
 #define DICE_SEED 3

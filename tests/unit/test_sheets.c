@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Faces without volume: they show as solids of a union do, which is what OpenSCAD's preview and its
- * mesh have of them, but are left out where they are taken away, and in Booleans where they have two
- * sides.
+ * mesh have of them, but are left out where they are taken away, and in Booleans where they have
+ * two sides.
  */
 #include <math.h>
 #include <stdio.h>
