@@ -59,14 +59,52 @@ bool csg_carriers_allocate_faces(struct csg_carrier_builder *builder)
     return true;
 }
 
-/* Edits are followed where leaves have bounds and are neither surfaces nor specks: what the others'
- * faces lie on depends on more than the faces near them. */
+/* Edits are followed where leaves have bounds and are no specks: what the others' faces lie on
+ * depends on more than the faces near them. */
 static bool can_keep(const struct csg_carrier_builder *builder)
 {
     for (size_t i = 0; i < builder->leaves.num; i++)
         if (!csg_carrier_can_follow(builder, builder->leaves.data[i].leaf))
             return false;
     return builder->leaves.num > 1;
+}
+
+/* Likewise the faces of surfaces, which are placed for that. */
+static bool place_faces(struct csg_carrier_builder *builder, bool *can_keep)
+{
+    for (uint32_t i = 0; builder->placed && i < builder->scene->num_leaves && *can_keep; i++) {
+        const struct csg_shape *shape = &builder->scene->leaves[i].shape;
+        const uint8_t *near = builder->remote.near[i];
+        if (!near)
+            continue;
+        builder->placed[i] = csg_placed_faces_create(shape);
+        if (!builder->placed[i])
+            return false;
+        *can_keep = csg_carrier_can_follow_faces(builder->placed[i], near, shape);
+    }
+    return true;
+}
+
+static bool find_remote(struct csg_carrier_builder *builder)
+{
+    if (!csg_remote_find(&builder->remote, builder->scene, builder->wanted,
+                         builder->largest_rounding))
+        return false;
+    if (builder->remote.near)
+        builder->placed = calloc(builder->scene->num_leaves + 1, sizeof *builder->placed);
+    return builder->placed || !builder->remote.near;
+}
+
+/* The index of a scene whose edits are followed has room for them. */
+static bool start(struct csg_carrier_builder *builder)
+{
+    bool keeps = builder->keeps;
+    if (!csg_carrier_outline(builder) || !find_remote(builder) ||
+        (keeps && !place_faces(builder, &keeps)))
+        return false;
+    const bool is_kept = keeps == builder->keeps;
+    builder->keeps = keeps;
+    return (is_kept || csg_carrier_outline(builder)) && csg_carrier_start_index(builder);
 }
 
 /* Coincidence is looked for among all leaves: flush faces of different objects share carriers too,
@@ -78,10 +116,7 @@ static bool assign_all(struct csg_carrier_builder *builder)
     builder->keeps = builder->keeps && can_keep(builder);
     builder->is_alone = builder->leaves.num == 1 &&
                         !builder->scene->leaves[builder->leaves.data[0].leaf].shape.surface;
-    if (!builder->is_alone && (!csg_carrier_outline(builder) ||
-                               !csg_remote_find(&builder->remote, builder->scene, builder->wanted,
-                                                builder->largest_rounding) ||
-                               !csg_carrier_start_index(builder)))
+    if (!builder->is_alone && !start(builder))
         return false;
     if (!csg_carriers_allocate_faces(builder) ||
         (!builder->is_alone && !builder->keeps && !csg_loners_find(&builder->loners, builder)))
@@ -143,6 +178,9 @@ bool csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carri
 void csg_carrier_builder_finish(struct csg_carrier_builder *builder)
 {
     csg_index_finish(&builder->index);
+    for (size_t i = 0; builder->placed && i < builder->remote.num_leaves; i++)
+        csg_placed_faces_destroy(builder->placed[i]);
+    free(builder->placed);
     csg_remote_finish(&builder->remote);
     csg_loners_finish(&builder->loners);
     free(builder->wanted);

@@ -42,6 +42,13 @@ static inline int csg_rank_compare(const struct csg_rank *a, const struct csg_ra
 /* Of faces and carriers. */
 enum csg_face_kind { CSG_PLANE, CSG_QUADRIC, CSG_NUM_FACE_KINDS };
 
+/* The faces of a surface in its place: where each is, and which of them has which rank. */
+struct csg_placed_faces {
+    struct csg_surface_extent *extents;
+    uint32_t *order;        /* the largest first */
+    struct csg_map inverse; /* of the place */
+};
+
 /* What is known of each carrier of one kind. */
 struct csg_carrier_list {
     CSG_ARRAY(double) rounding; /* of the leaf that it came from */
@@ -57,10 +64,12 @@ struct csg_carrier_builder {
     bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
     struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
-    struct csg_plane_table others;     /* planes that were met and are no carrier's own */
-    bool *wanted;                      /* by leaf: it is in leaves */
-    bool is_alone;                     /* the only leaf: no face can coincide with another */
-    struct csg_remote remote;          /* faces of surfaces that have no place in carriers->faces */
+    struct csg_plane_table others; /* planes that were met and are no carrier's own */
+    bool *wanted;                  /* by leaf: it is in leaves */
+    bool is_alone;                 /* the only leaf: no face can coincide with another */
+    struct csg_remote remote;      /* faces of surfaces that have no place in carriers->faces */
+    /* By leaf: of surfaces that have faces which are not remote, in scenes that have surfaces. */
+    struct csg_placed_faces **placed;
     struct csg_loners loners;          /* neither in the index nor in the table */
     struct csg_vec3 center;            /* of the finite part of the scene */
     double radius;                     /* the same; where it keeps, with room */
@@ -93,9 +102,14 @@ bool csg_carrier_start_index(struct csg_carrier_builder *builder);
 #define CSG_CARRIER_ROOM 2.0
 
 /* Whether the leaf is of those whose edits can be followed, and whether the index has room for
- * it. */
+ * it. The faces of a surface are asked one by one, once it is known which of them are near. */
 bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t leaf);
 bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t leaf);
+bool csg_carrier_can_follow_faces(const struct csg_placed_faces *placed, const uint8_t *near,
+                                  const struct csg_shape *shape);
+bool csg_carrier_has_room_for_faces(const struct csg_carrier_builder *builder,
+                                    const struct csg_placed_faces *placed, const uint8_t *near,
+                                    const struct csg_shape *shape);
 
 /* What can be seen of each quadric. false: out of memory. */
 bool csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carriers *carriers);
@@ -124,6 +138,21 @@ static inline bool csg_is_lone_plane(const struct csg_carrier_builder *builder, 
 /* Of a leaf's faces. */
 struct csg_rank csg_carrier_rank(const struct csg_carrier_builder *builder, uint32_t leaf,
                                  uint32_t face);
+
+/* The surface's. NULL: out of memory. */
+struct csg_placed_faces *csg_placed_faces_create(const struct csg_shape *shape);
+void csg_placed_faces_destroy(struct csg_placed_faces *placed);
+
+/* Of a leaf, whose shape is given, the face of that rank: its number among the leaf's, its plane
+ * and, of the leaf as it is now, how large it is. */
+uint32_t csg_carrier_face(const struct csg_carrier_builder *builder, const struct csg_rank *rank);
+struct csg_plane csg_carrier_plane(const struct csg_carrier_builder *builder,
+                                   const struct csg_shape *shape, const struct csg_rank *rank);
+struct csg_leaf_extent csg_carrier_extent(const struct csg_carrier_builder *builder,
+                                          const struct csg_rank *rank);
+
+/* Adds to the carriers' counts the faces of a surface that have none. */
+void csg_carrier_count_own(const struct csg_carrier_builder *builder, uint32_t leaf);
 
 /* The faces with these extents, the largest first. NULL: out of memory. */
 uint32_t *csg_carrier_rank_faces(const struct csg_surface_extent *extents, size_t num);

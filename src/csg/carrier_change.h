@@ -22,12 +22,22 @@ struct csg_carrier_work {
     size_t num_marks;
 };
 
+/* A surface that has changed, or to which what has changed is, or was, near. */
+struct csg_met_surface {
+    uint32_t leaf;
+    uint8_t *near;                   /* as in csg_remote, now */
+    struct csg_placed_faces *placed; /* NULL: there are none, or the builder's */
+};
+
 struct csg_carrier_change {
     struct csg_carrier_builder *builder;
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
     const struct csg_before *before;
     bool *wanted; /* by leaf, after the edit */
+    bool is_same; /* leaves neither come nor go, and have as many faces */
+    CSG_ARRAY(struct csg_met_surface) met;
+    bool is_near_put; /* what is near now is the builder's */
     struct csg_carrier_work work[CSG_NUM_FACE_KINDS];
 };
 
@@ -37,10 +47,20 @@ static inline const struct csg_rank *csg_rank_of(const struct csg_carrier_change
     return &change->builder->lists[kind].ranks.data[carrier];
 }
 
-static inline const struct csg_plane *csg_plane_of(const struct csg_carrier_change *change,
-                                                   const struct csg_rank *rank)
+static inline struct csg_plane csg_plane_of(const struct csg_carrier_change *change,
+                                            const struct csg_rank *rank)
 {
-    return &change->scene->leaves[rank->leaf].shape.planes[rank->face];
+    return csg_carrier_plane(change->builder, &change->scene->leaves[rank->leaf].shape, rank);
+}
+
+/* How many ranks faces of a leaf may have that is there now; those of a surface that are all remote
+ * have none. */
+static inline uint32_t csg_num_ranks(const struct csg_carrier_builder *builder, uint32_t leaf)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
+    if (!shape->surface)
+        return shape->num_planes;
+    return builder->remote.near[leaf] ? (uint32_t)shape->surface->planes.num : 0;
 }
 
 /* Whether the leaf has changed, comes or goes. */
@@ -48,6 +68,25 @@ static inline bool csg_is_touched(const struct csg_carrier_change *change, uint3
 {
     return change->before->changed[leaf] || change->wanted[leaf] != change->builder->wanted[leaf];
 }
+
+/* The leaf as it was. */
+static inline const struct csg_shape *csg_shape_before(const struct csg_carrier_change *change,
+                                                       uint32_t leaf)
+{
+    const uint32_t place = change->before->changed[leaf];
+    return place ? change->before->shapes[place - 1] : &change->scene->leaves[leaf].shape;
+}
+
+/* Fills met. false: out of memory. */
+bool csg_carrier_meet_surfaces(struct csg_carrier_change *change);
+
+/* Whether the index has room for the faces of surfaces that have come near, and what was far from
+ * all others still is. */
+bool csg_carrier_has_room_for_met(const struct csg_carrier_change *change);
+
+/* The builder gets what is near now, and then where the faces are now. */
+void csg_carrier_put_near(struct csg_carrier_change *change);
+void csg_carrier_put_placed(struct csg_carrier_change *change);
 
 /* The carrier's faces are to be found anew. false: out of memory. */
 bool csg_carrier_affect(struct csg_carrier_change *change, enum csg_face_kind kind,

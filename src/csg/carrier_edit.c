@@ -29,7 +29,6 @@ static bool copy_same_faces(struct csg_carrier_change *change)
     carriers->faces = copy_of(old->faces, old->face_begin[num], sizeof *old->faces);
     carriers->quadric_faces = copy_of(old->quadric_faces, num, sizeof *old->quadric_faces);
     carriers->sheets = copy_of(old->sheets, num, sizeof *old->sheets);
-    carriers->num_own = old->num_own;
     if (!carriers->face_begin || !carriers->faces || !carriers->quadric_faces || !carriers->sheets)
         return false;
     for (size_t i = 0; i < before->num; i++) {
@@ -42,7 +41,8 @@ static bool copy_same_faces(struct csg_carrier_change *change)
     return true;
 }
 
-/* Leaves that are out keep no carriers, and those that come have none yet. */
+/* Leaves that are out keep no carriers, and those that come have none yet, nor have surfaces whose
+ * faces have all been remote. */
 static void copy_faces(struct csg_carrier_change *change)
 {
     const struct csg_carriers *old = change->before->scene->carriers;
@@ -53,12 +53,13 @@ static void copy_faces(struct csg_carrier_change *change)
         carriers->renewed[i] = csg_is_touched(change, i);
         if (!change->wanted[i])
             continue;
-        if (carriers->renewed[i]) {
+        if (carriers->renewed[i] || old->face_begin[i + 1] - old->face_begin[i] != num)
             for (uint32_t j = 0; j < num; j++)
                 faces[j].carrier = CSG_NO_CARRIER;
+        else
+            memcpy(faces, &old->faces[old->face_begin[i]], num * sizeof *faces);
+        if (carriers->renewed[i])
             continue;
-        }
-        memcpy(faces, &old->faces[old->face_begin[i]], num * sizeof *faces);
         carriers->quadric_faces[i] = old->quadric_faces[i];
         carriers->sheets[i] = old->sheets[i];
     }
@@ -87,8 +88,18 @@ static bool copy_carriers(struct csg_carrier_change *change)
            start_work(&change->work[CSG_QUADRIC], old->num_quadrics);
 }
 
-static void count(const struct csg_carrier_builder *builder, struct csg_carriers *carriers)
+static void count_own(const struct csg_carrier_change *change)
 {
+    change->carriers->num_own = 0;
+    for (uint32_t i = 0; change->builder->placed && i < change->scene->num_leaves; i++)
+        if (change->wanted[i] && change->scene->leaves[i].shape.surface)
+            csg_carrier_count_own(change->builder, i);
+}
+
+static void count(const struct csg_carrier_change *change)
+{
+    const struct csg_carrier_builder *builder = change->builder;
+    struct csg_carriers *carriers = change->carriers;
     size_t num_faces = 0;
     for (int kind = 0; kind < CSG_NUM_FACE_KINDS; kind++)
         for (size_t i = 0; i < builder->lists[kind].uses.num; i++)
@@ -97,6 +108,7 @@ static void count(const struct csg_carrier_builder *builder, struct csg_carriers
     carriers->num_unused_quadrics = builder->lists[CSG_QUADRIC].free.num;
     carriers->num_shared = num_faces + carriers->num_unused_planes + carriers->num_unused_quadrics -
                            carriers->num_planes - carriers->num_quadrics;
+    count_own(change);
 }
 
 /* Whether the object has no quadric in common with another leaf; its own then get their boxes. */
@@ -176,12 +188,25 @@ static bool follow_boxes(struct csg_carrier_change *change)
     return csg_carriers_fill_boxes(change->scene, carriers);
 }
 
+/* Whether surfaces have places for faces that have come near. */
+static bool have_same_faces(const struct csg_carrier_change *change)
+{
+    const struct csg_carriers *old = change->before->scene->carriers;
+    for (size_t i = 0; i < change->met.num; i++) {
+        const struct csg_met_surface *met = &change->met.data[i];
+        if (met->near && old->face_begin[met->leaf] == old->face_begin[met->leaf + 1])
+            return false;
+    }
+    return true;
+}
+
 static bool follow(struct csg_carrier_change *change)
 {
     struct csg_carrier_builder *builder = change->builder;
     builder->scene = change->scene;
     builder->carriers = change->carriers;
-    const bool same = change->before->objects != NULL;
+    const bool same = change->is_same = change->is_same && have_same_faces(change);
+    csg_carrier_put_near(change);
     if (!copy_carriers(change) ||
         !(same ? copy_same_faces(change) : csg_carriers_allocate_faces(builder)))
         return false;
@@ -190,7 +215,7 @@ static bool follow(struct csg_carrier_change *change)
     if (!csg_carrier_exchange(change) || !csg_carrier_settle(change, CSG_PLANE) ||
         !csg_carrier_settle(change, CSG_QUADRIC))
         return false;
-    count(builder, change->carriers);
+    count(change);
     return follow_boxes(change);
 }
 
@@ -204,7 +229,7 @@ static bool has_same_room(struct csg_carrier_change *change)
 {
     struct csg_carrier_builder *builder = change->builder;
     const struct csg_before *before = change->before;
-    if (!before->objects || !csg_box_is_finite(before->box) || is_speck(change, before->box))
+    if (!change->is_same || !csg_box_is_finite(before->box) || is_speck(change, before->box))
         return false;
     builder->scene = change->scene;
     for (size_t i = 0; i < before->num; i++) {
@@ -247,6 +272,12 @@ static void finish(struct csg_carrier_change *change)
         free(change->work[kind].created.data);
         free(change->work[kind].marks);
     }
+    for (size_t i = 0; i < change->met.num; i++) {
+        if (!change->is_near_put)
+            free(change->met.data[i].near);
+        csg_placed_faces_destroy(change->met.data[i].placed);
+    }
+    free(change->met.data);
     free(change->wanted);
 }
 
@@ -273,20 +304,25 @@ static struct csg_carriers *make(struct csg_carrier_change *change)
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                        const struct csg_before *before)
 {
-    struct csg_carrier_change change = {
-        .scene = scene, .before = before, .builder = before->scene->carriers->kept};
+    struct csg_carrier_change change = {.scene = scene,
+                                        .before = before,
+                                        .builder = before->scene->carriers->kept,
+                                        .is_same = before->objects != NULL};
     if (!change.builder)
         return csg_carriers_create(scene, true);
     change.wanted = calloc(scene->num_leaves + 1, sizeof *change.wanted);
     if (!change.wanted)
         return NULL;
-    if (before->objects)
+    if (change.is_same)
         memcpy(change.wanted, change.builder->wanted, scene->num_leaves * sizeof *change.wanted);
     else
         csg_carrier_mark_wanted(scene, change.wanted);
-    struct csg_carriers *carriers = has_same_room(&change) || has_room(&change)
-                                        ? make(&change)
-                                        : csg_carriers_create(scene, true);
+    struct csg_carriers *carriers = NULL;
+    if (csg_carrier_meet_surfaces(&change))
+        carriers =
+            (has_same_room(&change) || has_room(&change)) && csg_carrier_has_room_for_met(&change)
+                ? make(&change)
+                : csg_carriers_create(scene, true);
     finish(&change);
     return carriers;
 }

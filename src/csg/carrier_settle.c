@@ -6,11 +6,14 @@
 
 #include "csg/carrier_change.h"
 
-static struct csg_face *face_of(struct csg_carriers *carriers, enum csg_face_kind kind,
+static struct csg_face *face_of(struct csg_carrier_change *change, enum csg_face_kind kind,
                                 const struct csg_rank *rank)
 {
-    return kind == CSG_PLANE ? &carriers->faces[carriers->face_begin[rank->leaf] + rank->face]
-                             : &carriers->quadric_faces[rank->leaf];
+    struct csg_carriers *carriers = change->carriers;
+    if (kind == CSG_QUADRIC)
+        return &carriers->quadric_faces[rank->leaf];
+    return &carriers
+                ->faces[carriers->face_begin[rank->leaf] + csg_carrier_face(change->builder, rank)];
 }
 
 /* ---- what a new carrier concerns ---------------------------------------------------------- */
@@ -25,11 +28,11 @@ static bool affect_later(struct csg_carrier_change *change, enum csg_face_kind k
 
 /* In the cells of one width. */
 static bool affect_turned_planes(struct csg_carrier_change *change, int width,
-                                 const struct csg_rank *rank)
+                                 const struct csg_plane *plane, const struct csg_rank *rank)
 {
     const struct csg_carrier_index *index = &change->builder->index;
     struct csg_index_probe probe;
-    csg_index_probe_normals(index, width, csg_plane_of(change, rank), &probe);
+    csg_index_probe_normals(index, width, plane, &probe);
     for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
         for (; i != CSG_NO_CARRIER; i = csg_index_next_member(index, width, i))
             if (!affect_later(change, CSG_PLANE, i, rank))
@@ -41,13 +44,14 @@ static bool affect_turned_planes(struct csg_carrier_change *change, int width,
 static bool affect_near_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
 {
     const struct csg_carrier_index *index = &change->builder->index;
+    const struct csg_plane plane = csg_plane_of(change, rank);
     struct csg_index_probe probe;
-    csg_index_probe_parallel(index, csg_plane_of(change, rank), &probe);
+    csg_index_probe_parallel(index, &plane, &probe);
     for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
         if (!affect_later(change, CSG_PLANE, i, rank))
             return false;
     for (int i = 0; i < index->space.num_widths; i++)
-        if (!affect_turned_planes(change, i, rank))
+        if (!affect_turned_planes(change, i, &plane, rank))
             return false;
     return true;
 }
@@ -68,8 +72,10 @@ static bool affect_near_quadric(struct csg_carrier_change *change, const struct 
 static void take_face(struct csg_carrier_change *change, const struct csg_rank *rank,
                       struct csg_face *face)
 {
-    if (face->is_other)
-        csg_plane_table_remove(&change->builder->others, csg_plane_of(change, rank));
+    if (face->is_other) {
+        const struct csg_plane plane = csg_plane_of(change, rank);
+        csg_plane_table_remove(&change->builder->others, &plane);
+    }
     face->carrier = CSG_NO_CARRIER;
 }
 
@@ -80,10 +86,9 @@ static bool collect_leaf(struct csg_carrier_change *change, enum csg_face_kind k
     struct csg_carriers *carriers = change->carriers;
     struct csg_carrier_work *work = &change->work[kind];
     struct csg_rank rank = {.leaf = leaf};
-    const uint32_t num_faces =
-        kind == CSG_QUADRIC ? 1 : carriers->face_begin[leaf + 1] - carriers->face_begin[leaf];
+    const uint32_t num_faces = kind == CSG_QUADRIC ? 1 : csg_num_ranks(change->builder, leaf);
     for (; rank.face < num_faces; rank.face++) {
-        struct csg_face *face = face_of(carriers, kind, &rank);
+        struct csg_face *face = face_of(change, kind, &rank);
         if (face->carrier >= work->num_marks || !work->marks[face->carrier])
             continue;
         struct csg_carrier_item item = {csg_carrier_rank(change->builder, leaf, rank.face), false};
@@ -135,7 +140,7 @@ static bool undo(struct csg_carrier_change *change, enum csg_face_kind kind)
     bool ok = true;
     for (size_t i = 0; i < work->items.num; i++) {
         const struct csg_rank *rank = &work->items.data[i].rank;
-        struct csg_face *face = face_of(change->carriers, kind, rank);
+        struct csg_face *face = face_of(change, kind, rank);
         if (face->carrier == CSG_NO_CARRIER)
             continue;
         change->builder->lists[kind].uses.data[face->carrier]--;
@@ -155,17 +160,28 @@ static int compare_items(const void *a, const void *b)
     return csg_rank_compare(&x->rank, &y->rank);
 }
 
+static bool assign_plane(struct csg_carrier_builder *builder, const struct csg_rank *rank,
+                         struct csg_face *face)
+{
+    const struct csg_leaf_extent extent = csg_carrier_extent(builder, rank);
+    const struct csg_plane plane =
+        csg_carrier_plane(builder, &builder->scene->leaves[rank->leaf].shape, rank);
+    return csg_carrier_assign_plane(builder, &plane, &extent, rank, false, face);
+}
+
+static bool assign_quadric(struct csg_carrier_builder *builder, const struct csg_rank *rank)
+{
+    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, rank->leaf);
+    return csg_carrier_assign_quadric(builder, rank->leaf, &extent, rank, false);
+}
+
 static bool assign(struct csg_carrier_change *change, enum csg_face_kind kind,
                    const struct csg_carrier_item *item)
 {
     struct csg_carrier_builder *builder = change->builder;
     const struct csg_rank *rank = &item->rank;
-    const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, rank->leaf);
-    struct csg_face *face = face_of(change->carriers, kind, rank);
-    if (!(kind == CSG_PLANE
-              ? csg_carrier_assign_plane(builder, csg_plane_of(change, rank), &extent, rank, false,
-                                         face)
-              : csg_carrier_assign_quadric(builder, rank->leaf, &extent, rank, false)))
+    struct csg_face *face = face_of(change, kind, rank);
+    if (!(kind == CSG_PLANE ? assign_plane(builder, rank, face) : assign_quadric(builder, rank)))
         return false;
     if (csg_rank_compare(csg_rank_of(change, kind, face->carrier), rank) != 0)
         return true;

@@ -44,6 +44,57 @@ struct csg_leaf_extent csg_carrier_face_extent(const struct csg_surface_extent *
     return (struct csg_leaf_extent){extent->center, extent->radius, extent->radius, rounding};
 }
 
+struct csg_placed_faces *csg_placed_faces_create(const struct csg_shape *shape)
+{
+    struct csg_placed_faces *placed = calloc(1, sizeof *placed);
+    if (!placed)
+        return NULL;
+    placed->extents = csg_surface_extents(shape->surface, &shape->frame);
+    placed->order = placed->extents
+                        ? csg_carrier_rank_faces(placed->extents, shape->surface->planes.num)
+                        : NULL;
+    placed->inverse = csg_map_identity;
+    csg_map_invert(&shape->frame, &placed->inverse);
+    if (placed->order)
+        return placed;
+    csg_placed_faces_destroy(placed);
+    return NULL;
+}
+
+void csg_placed_faces_destroy(struct csg_placed_faces *placed)
+{
+    if (!placed)
+        return;
+    free(placed->extents);
+    free(placed->order);
+    free(placed);
+}
+
+uint32_t csg_carrier_face(const struct csg_carrier_builder *builder, const struct csg_rank *rank)
+{
+    const struct csg_placed_faces *placed = builder->placed ? builder->placed[rank->leaf] : NULL;
+    return placed ? placed->order[rank->face] : rank->face;
+}
+
+struct csg_plane csg_carrier_plane(const struct csg_carrier_builder *builder,
+                                   const struct csg_shape *shape, const struct csg_rank *rank)
+{
+    const uint32_t face = csg_carrier_face(builder, rank);
+    return shape->surface
+               ? csg_own_plane(shape->surface, face, &builder->placed[rank->leaf]->inverse)
+               : shape->planes[face];
+}
+
+struct csg_leaf_extent csg_carrier_extent(const struct csg_carrier_builder *builder,
+                                          const struct csg_rank *rank)
+{
+    const struct csg_shape *shape = &builder->scene->leaves[rank->leaf].shape;
+    if (!shape->surface)
+        return csg_leaf_extent_of(builder, rank->leaf);
+    const struct csg_placed_faces *placed = builder->placed[rank->leaf];
+    return csg_carrier_face_extent(&placed->extents[placed->order[rank->face]], shape->rounding);
+}
+
 /* Each face that is not remote counts where it is, the largest first. */
 static bool assign_faces(struct csg_carrier_builder *builder, const struct csg_rank *rank,
                          const uint8_t *near)
@@ -53,44 +104,48 @@ static bool assign_faces(struct csg_carrier_builder *builder, const struct csg_r
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const size_t begin = builder->carriers->face_begin[leaf], num = shape->surface->planes.num;
     struct csg_face *faces = &builder->carriers->faces[begin];
-    struct csg_surface_extent *extents = csg_surface_extents(shape->surface, &shape->frame);
-    uint32_t *ranked = extents ? csg_carrier_rank_faces(extents, num) : NULL;
-    struct csg_map inverse = csg_map_identity;
-    bool ok = ranked != NULL;
-    csg_map_invert(&shape->frame, &inverse);
+    bool ok = true;
     for (; ok && own.face < num; own.face++) {
-        const uint32_t face = ranked[own.face];
-        const struct csg_plane plane = csg_own_plane(shape->surface, face, &inverse);
-        const struct csg_leaf_extent extent =
-            csg_carrier_face_extent(&extents[face], shape->rounding);
+        const uint32_t face = csg_carrier_face(builder, &own);
+        const struct csg_plane plane = csg_carrier_plane(builder, shape, &own);
+        const struct csg_leaf_extent extent = csg_carrier_extent(builder, &own);
         if (near[face])
             ok = csg_carrier_assign_plane(builder, &plane, &extent, &own,
                                           csg_is_lone_plane(builder, begin + face), &faces[face]);
         else
             faces[face].carrier = CSG_NO_CARRIER;
     }
-    free(extents);
-    free(ranked);
     return ok;
 }
 
-/* How many of the surface's own planes stand for faces of the leaf. */
-static void count_own(struct csg_carriers *carriers, const struct csg_surface *surface,
-                      const uint8_t *near)
+void csg_carrier_count_own(const struct csg_carrier_builder *builder, uint32_t leaf)
 {
+    const struct csg_surface *surface = builder->scene->leaves[leaf].shape.surface;
+    const uint8_t *near = builder->remote.near[leaf];
     size_t num_faces = surface->planes.num, num_own = surface->num_own;
     for (uint32_t i = 0; near && i < surface->planes.num; i++) {
         num_faces -= near[i];
         num_own -= near[i] && surface->own[i].plane == i;
     }
-    carriers->num_own += num_own;
-    carriers->num_shared += num_faces - num_own;
+    builder->carriers->num_own += num_own;
+    builder->carriers->num_shared += num_faces - num_own;
 }
 
+/* What is kept of the places of faces is for edits. */
 bool csg_carrier_assign_surface(struct csg_carrier_builder *builder, const struct csg_rank *rank)
 {
     const uint32_t leaf = rank->leaf;
     const uint8_t *near = builder->remote.near[leaf];
-    count_own(builder->carriers, builder->scene->leaves[leaf].shape.surface, near);
-    return !near || assign_faces(builder, rank, near);
+    struct csg_placed_faces **placed = &builder->placed[leaf];
+    csg_carrier_count_own(builder, leaf);
+    if (!near)
+        return true;
+    if (!*placed)
+        *placed = csg_placed_faces_create(&builder->scene->leaves[leaf].shape);
+    const bool ok = *placed && assign_faces(builder, rank, near);
+    if (builder->keeps)
+        return ok;
+    csg_placed_faces_destroy(*placed);
+    *placed = NULL;
+    return ok;
 }

@@ -129,7 +129,8 @@ static void note_spread(struct extremes *most, const struct csg_carrier_builder 
     merge_spread(&most->spreads[csg_carrier_width(&spread)], &spread);
 }
 
-/* The faces of a surface that are looked up, each as large as itself, or less. */
+/* The faces of a surface that are looked up, or will be after edits, each as large as itself, or
+ * less. */
 static void note_surface(struct extremes *most, const struct csg_carrier_builder *builder,
                          uint32_t leaf)
 {
@@ -139,8 +140,8 @@ static void note_surface(struct extremes *most, const struct csg_carrier_builder
     struct csg_map inverse = csg_map_identity;
     csg_map_invert(&shape->frame, &inverse);
     const double stretch = csg_map_stretch(&inverse);
-    for (size_t i = 0; near && i < surface->planes.num; i++) {
-        if (!near[i])
+    for (size_t i = 0; (near || builder->keeps) && i < surface->planes.num; i++) {
+        if (!builder->keeps && !near[i])
             continue;
         const struct csg_surface_extent extent = {
             csg_map_point(&shape->frame, surface->extents[i].center),
@@ -247,7 +248,19 @@ bool csg_carrier_can_follow(const struct csg_carrier_builder *builder, uint32_t 
 {
     const struct csg_leaf *own = &builder->scene->leaves[leaf];
     const struct csg_leaf_extent extent = csg_leaf_extent_of(builder, leaf);
-    return csg_box_is_finite(&own->box) && !own->shape.surface && !is_speck(&extent);
+    return csg_box_is_finite(&own->box) && !is_speck(&extent);
+}
+
+bool csg_carrier_can_follow_faces(const struct csg_placed_faces *placed, const uint8_t *near,
+                                  const struct csg_shape *shape)
+{
+    for (size_t i = 0; i < shape->surface->planes.num; i++) {
+        const struct csg_leaf_extent face =
+            csg_carrier_face_extent(&placed->extents[i], shape->rounding);
+        if (near[i] && is_speck(&face))
+            return false;
+    }
+    return true;
 }
 
 /* Whether planes that coincide with faces of that extent are found in some width. */
@@ -271,4 +284,17 @@ bool csg_carrier_has_room(const struct csg_carrier_builder *builder, uint32_t le
            (leaf_shape->num_planes == 0 || has_width(builder, &extent)) &&
            slack_of(builder, leaf, &extent) <= builder->reach.slack &&
            double_tolerance(&extent) <= builder->reach.tolerance;
+}
+
+bool csg_carrier_has_room_for_faces(const struct csg_carrier_builder *builder,
+                                    const struct csg_placed_faces *placed, const uint8_t *near,
+                                    const struct csg_shape *shape)
+{
+    for (size_t i = 0; i < shape->surface->planes.num; i++) {
+        const struct csg_leaf_extent face =
+            csg_carrier_face_extent(&placed->extents[i], shape->rounding);
+        if (near[i] && (is_speck(&face) || !has_width(builder, &face)))
+            return false;
+    }
+    return true;
 }

@@ -53,7 +53,7 @@ static bool add_object_of(struct follow *follow, size_t leaf)
 /* Programs and counts do not tell them apart. */
 static bool is_alike(const struct csg_shape *a, const struct csg_shape *b)
 {
-    return !a->surface && !b->surface && a->num_planes == b->num_planes &&
+    return a->surface == b->surface && a->num_planes == b->num_planes &&
            a->has_quadric == b->has_quadric && a->facetted == b->facetted && a->convex == b->convex;
 }
 
@@ -154,6 +154,8 @@ static bool has_kin(const struct follow *follow, const struct csg_carriers *carr
         const uint32_t leaf = follow->before->leaves[i];
         if (!carriers->kept->wanted[leaf])
             continue;
+        if (follow->scene->leaves[leaf].shape.surface)
+            return true; /* as good as always */
         found = is_shared(follow, carriers, leaf, true, carriers->quadric_faces[leaf].carrier);
         for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1] && !found;
              j++)

@@ -19,16 +19,11 @@ void csg_follower_destroy(struct csg_follower *follower)
     free(follower);
 }
 
-/* Parts of distributed objects depend on all of the object, render() nodes are framed by what is
- * left of them, and carriers of surfaces are found anew. */
+/* Parts of distributed objects depend on all of the object, and render() nodes are framed by what is
+ * left of them. */
 static bool can_follow(const struct csgcast_scene *scene)
 {
-    if (scene->is_distributed || scene->wholes.num > 0)
-        return false;
-    for (size_t i = 0; i < scene->num_leaves; i++)
-        if (scene->leaves[i].shape.surface)
-            return false;
-    return true;
+    return !scene->is_distributed && scene->wholes.num == 0;
 }
 
 static void find_objects(struct csg_follower *follower, const struct csgcast_scene *scene)

@@ -106,25 +106,27 @@ static uint8_t *mark_near(struct search *search, uint32_t leaf, double reach,
 }
 
 /* How far from each other faces may be that coincide. */
-static double reach_of(const struct search *search, uint32_t leaf)
+static double reach_of(const struct csgcast_scene *scene, double rounding, uint32_t leaf)
 {
-    const struct csg_box box = csg_leaf_box(&search->scene->leaves[leaf]);
+    const struct csg_box box = csg_leaf_box(&scene->leaves[leaf]);
     const double radius = csg_length(csg_sub(box.hi, box.lo));
     const struct csg_leaf_extent extent = {box.lo, radius, radius,
-                                           search->scene->leaves[leaf].shape.rounding};
-    return csg_carrier_tolerance(&extent, search->rounding);
+                                           scene->leaves[leaf].shape.rounding};
+    return csg_carrier_tolerance(&extent, rounding);
 }
 
-static void look_at(struct search *search, uint32_t leaf, struct csg_box_tree_list *others)
+struct csg_box csg_remote_around(const struct csgcast_scene *scene, double rounding, uint32_t leaf)
 {
-    const struct csg_box own = csg_leaf_box(&search->scene->leaves[leaf]);
-    const double reach = reach_of(search, leaf);
-    const struct csg_box around = csg_box_grown(&own, reach);
-    others->num = 0;
-    if (!csg_box_tree_find(&search->tree, &around, others))
-        atomic_store(&search->is_out_of_memory, true);
-    else if (others->num > 1) /* it finds itself */
-        search->remote->near[leaf] = mark_near(search, leaf, reach, others);
+    const struct csg_box own = csg_leaf_box(&scene->leaves[leaf]);
+    return csg_box_grown(&own, reach_of(scene, rounding, leaf));
+}
+
+/* others: with the surface itself. */
+static uint8_t *look_at(struct search *search, uint32_t leaf,
+                        const struct csg_box_tree_list *others)
+{
+    const double reach = reach_of(search->scene, search->rounding, leaf);
+    return others->num > 1 ? mark_near(search, leaf, reach, others) : NULL;
 }
 
 static void look_at_chunk(void *user, size_t task)
@@ -132,10 +134,40 @@ static void look_at_chunk(void *user, size_t task)
     struct search *search = user;
     const size_t end = (task + 1) * CHUNK, num = search->scene->num_leaves;
     struct csg_box_tree_list others = {0};
-    for (size_t i = task * CHUNK; i < end && i < num; i++)
-        if (search->wanted[i] && search->scene->leaves[i].shape.surface)
-            look_at(search, (uint32_t)i, &others);
+    for (uint32_t i = (uint32_t)task * CHUNK; i < end && i < num; i++) {
+        if (!search->wanted[i] || !search->scene->leaves[i].shape.surface)
+            continue;
+        const struct csg_box around = csg_remote_around(search->scene, search->rounding, i);
+        others.num = 0;
+        if (csg_box_tree_find(&search->tree, &around, &others))
+            search->remote->near[i] = look_at(search, i, &others);
+        else
+            atomic_store(&search->is_out_of_memory, true);
+    }
     free(others.data);
+}
+
+/* One by one, as no tree is planted for a single surface. */
+static bool find_others(const struct search *search, uint32_t leaf,
+                        struct csg_box_tree_list *others)
+{
+    const struct csg_box around = csg_remote_around(search->scene, search->rounding, leaf);
+    bool ok = true;
+    for (uint32_t i = 0; i < search->scene->num_leaves && ok; i++)
+        if (search->wanted[i] && csg_box_overlaps(&search->scene->leaves[i].box, &around))
+            ok = csg_array_push(others, i);
+    return ok;
+}
+
+bool csg_remote_find_one(const struct csgcast_scene *scene, const bool *wanted, double rounding,
+                         uint32_t leaf, uint8_t **near)
+{
+    struct search search = {.scene = scene, .wanted = wanted, .rounding = rounding};
+    struct csg_box_tree_list others = {0};
+    const bool ok = find_others(&search, leaf, &others);
+    *near = ok ? look_at(&search, leaf, &others) : NULL;
+    free(others.data);
+    return ok && !search.is_out_of_memory;
 }
 
 static bool plant(struct search *search)
@@ -165,6 +197,7 @@ bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scen
     if (!has_surfaces(scene))
         return true;
     remote->num_leaves = scene->num_leaves;
+    remote->rounding = rounding;
     remote->near = calloc(scene->num_leaves + 1, sizeof *remote->near);
     const bool ok = remote->near && plant(&search);
     if (ok)

@@ -32,8 +32,10 @@ int main(int argc, char **argv)
         check_programs(&bench, seed + (unsigned)i, 3 + 5 * (i % 10));
     for (int i = 0; i < num_scenes / 5; i++)
         check_series(&bench, seed + 100 + (unsigned)i);
-    for (int i = 0; i < num_scenes / 5; i++)
-        check_many(&bench, seed + 200 + (unsigned)i, i % 2);
+    for (int i = 0; i < num_scenes / 5; i++) {
+        check_many(&bench, seed + 200 + (unsigned)i, i % 2, false);
+        check_many(&bench, seed + 300 + (unsigned)i, i % 2, true);
+    }
     check_upload(&bench);
     check_batch(&bench);
     check_cases(&bench);

@@ -33,7 +33,7 @@ static const char *change(struct model *model, struct csgcast_scene *scene, size
     struct model_leaf *leaf = &model->leaves[index];
     struct csgcast_edit edit = {.leaf = index};
     const int what = (int)model_random(model, 0, 8);
-    if (what < 4)
+    if (what < 4 || !model_has_parameters(leaf))
         move(model, leaf);
     else if (what < 6)
         model_random_parameters(model, leaf->kind, leaf->parameters);
@@ -42,7 +42,7 @@ static const char *change(struct model *model, struct csgcast_scene *scene, size
     else
         model_random_color(model, leaf->color);
     edit.matrix = leaf->matrix;
-    edit.parameters = leaf->parameters;
+    edit.parameters = model_has_parameters(leaf) ? leaf->parameters : NULL;
     edit.color = leaf->color[0] >= 0 ? leaf->color : NULL;
     CHECK(csgcast_scene_edit(scene, &edit, 1), "%s", bench_last_message);
     return what < 4 ? "move" : what < 6 ? "parameters" : "look";
@@ -58,11 +58,11 @@ static bool has_empty(const struct model *model)
 }
 
 /* Every few of them are compared with a fresh scene. */
-void check_many(struct bench *bench, uint64_t seed, bool marked)
+void check_many(struct bench *bench, uint64_t seed, bool marked, bool has_surfaces)
 {
     static struct model model;
     size_t name = 0;
-    model_init_many(&model, seed, NUM_OBJECTS, marked);
+    model_init_many(&model, seed, NUM_OBJECTS, marked, has_surfaces);
     model_print(&model, bench->text);
     struct csgcast_scene *scene = bench_begin(bench, bench->text);
     for (int i = 0; i < NUM_IN_A_ROW; i++) {
@@ -85,7 +85,7 @@ void check_upload(struct bench *bench)
     const struct csgcast_camera camera = {
         .kind = CSGCAST_CAMERA_GIMBAL, .translate = {15, 15, 15}, .distance = 120};
     struct csgcast_stats stats;
-    model_init_many(&model, 7, NUM_OBJECTS, false);
+    model_init_many(&model, 7, NUM_OBJECTS, false, false);
     for (int i = 0; i < model.num_leaves; i++)
         model.leaves[i].color[0] = -1;
     model_print(&model, bench->text);

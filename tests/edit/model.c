@@ -49,11 +49,28 @@ void model_random_parameters(struct model *model, const char *kind, char paramet
                  pick(model, 2) ? b : 0.25 * c);
 }
 
+bool model_has_parameters(const struct model_leaf *leaf)
+{
+    return strcmp(leaf->kind, "linear_extrude") != 0;
+}
+
 void model_random_color(struct model *model, float color[4])
 {
     for (int i = 0; i < 3; i++)
         color[i] = (float)pick(model, 5) / 4;
     color[3] = pick(model, 4) ? 1 : 0.5f;
+}
+
+/* What has no parameters that an edit can set, but a polygon: a surface of triangles. */
+static void add_twisted(struct model *model)
+{
+    struct model_leaf *leaf = &model->leaves[model->num_leaves++];
+    leaf->kind = "linear_extrude";
+    snprintf(leaf->parameters, sizeof leaf->parameters,
+             "height = %d, twist = 90, slices = 8) square([%d, %d]", 1 + pick(model, 3),
+             1 + pick(model, 3), 1 + pick(model, 3));
+    model_random_matrix(model, leaf->matrix);
+    leaf->color[0] = -1;
 }
 
 static void add_leaf(struct model *model)
@@ -96,7 +113,8 @@ void model_init(struct model *model, uint64_t seed, int max_leaves)
 /* Cells of the grid, and their size. */
 enum { NUM_CELLS = 6, CELL = 5 };
 
-void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked)
+void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked,
+                     bool has_surfaces)
 {
     static const char *const marks[] = {"#", "%"};
     memset(model, 0, sizeof *model);
@@ -111,7 +129,10 @@ void model_init_many(struct model *model, uint64_t seed, int num_objects, bool m
             model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num, NULL};
         for (int j = 0; j < num; j++) {
             model->nodes[model->num_nodes++] = (struct model_node){0, 0, NULL};
-            add_leaf(model);
+            if (has_surfaces && pick(model, 10) == 0)
+                add_twisted(model);
+            else
+                add_leaf(model);
         }
         model->nodes[node].mark = mark;
         for (int j = first; j < model->num_leaves; j++)

@@ -41,8 +41,12 @@ double model_random(struct model *model, double lo, double hi);
 void model_init(struct model *model, uint64_t seed, int max_leaves);
 
 /* Objects of one solid to three in a grid of places, some of them with flush faces; marked: some
- * under # or %. */
-void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked);
+ * under # or %; has_surfaces: some are surfaces of triangles, whose parameters cannot be set. */
+void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked,
+                     bool has_surfaces);
+
+/* Whether the parameters can be set. */
+bool model_has_parameters(const struct model_leaf *leaf);
 
 void model_random_matrix(struct model *model, double matrix[16]);
 
