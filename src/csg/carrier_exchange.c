@@ -2,6 +2,8 @@
 
 /* Leaves of an edit that go and come, and the carriers which that concerns. */
 
+#include <string.h>
+
 #include "csg/carrier_change.h"
 
 bool csg_carrier_affect(struct csg_carrier_change *change, enum csg_face_kind kind,
@@ -37,6 +39,40 @@ static bool take_out_plane(struct csg_carrier_change *change, const struct csg_r
     return leave(change, CSG_PLANE, rank->leaf, face);
 }
 
+/*
+ * Whether a plane of a leaf that has changed is the carrier that came from it, to the last bit, as
+ * those are that a solid is moved along: where no carrier before it is found for it now, it makes
+ * no difference to any other face.
+ */
+static bool stays(const struct csg_carrier_change *change, const struct csg_rank *rank)
+{
+    const struct csg_carriers *old = change->before->scene->carriers;
+    const struct csg_shape *now = &change->scene->leaves[rank->leaf].shape;
+    const struct csg_shape *shape = csg_shape_before(change, rank->leaf);
+    if (!change->wanted[rank->leaf] || !change->builder->wanted[rank->leaf] || now->surface ||
+        shape->surface || rank->face >= now->num_planes || rank->face >= shape->num_planes)
+        return false;
+    const struct csg_rank own = csg_carrier_rank(change->builder, rank->leaf, rank->face);
+    const uint32_t carrier = old->faces[old->face_begin[rank->leaf] + rank->face].carrier;
+    return csg_rank_compare(csg_rank_of(change, CSG_PLANE, carrier), &own) == 0 &&
+           now->rounding == shape->rounding &&
+           memcmp(&now->planes[rank->face], &shape->planes[rank->face], sizeof *now->planes) == 0;
+}
+
+/* Its carrier is found anew after all where there is one before. */
+static bool keep_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
+{
+    const struct csg_carriers *old = change->before->scene->carriers;
+    struct csg_carriers *carriers = change->carriers;
+    const struct csg_face face = old->faces[old->face_begin[rank->leaf] + rank->face];
+    const struct csg_leaf_extent extent = csg_carrier_extent(change->builder, rank);
+    const struct csg_plane plane = csg_plane_of(change, rank);
+    struct csg_face found;
+    carriers->faces[carriers->face_begin[rank->leaf] + rank->face] = face;
+    return !csg_carrier_find_plane(change->builder, &plane, &extent, rank, &found) ||
+           csg_carrier_affect(change, CSG_PLANE, face.carrier);
+}
+
 static bool take_out(struct csg_carrier_change *change, uint32_t leaf)
 {
     const struct csg_carriers *old = change->before->scene->carriers;
@@ -44,7 +80,8 @@ static bool take_out(struct csg_carrier_change *change, uint32_t leaf)
     struct csg_rank rank = {.leaf = leaf};
     for (; rank.face < num; rank.face++) {
         const uint32_t face = csg_carrier_face(change->builder, &rank);
-        if (old->faces[begin + face].carrier != CSG_NO_CARRIER && !take_out_plane(change, &rank))
+        if (old->faces[begin + face].carrier != CSG_NO_CARRIER && !stays(change, &rank) &&
+            !take_out_plane(change, &rank))
             return false;
     }
     const struct csg_face *quadric = &old->quadric_faces[leaf];
@@ -78,7 +115,8 @@ static bool put_in(struct csg_carrier_change *change, uint32_t leaf)
     if (shape->has_quadric && !csg_array_push(&change->work[CSG_QUADRIC].items, item))
         return false;
     for (; rank->face < csg_num_ranks(change->builder, leaf); rank->face++)
-        if ((!near || near[csg_carrier_face(change->builder, rank)]) && !put_in_plane(change, rank))
+        if ((!near || near[csg_carrier_face(change->builder, rank)]) &&
+            !(stays(change, rank) ? keep_plane(change, rank) : put_in_plane(change, rank)))
             return false;
     return true;
 }
