@@ -207,12 +207,51 @@ static void check(uint64_t seed)
     csgcast_scene_destroy(scene);
 }
 
+static void move(struct csgcast_scene *scene, size_t leaf, double x, double z, int edit)
+{
+    const double matrix[16] = {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, z, 0, 0, 0, 1};
+    CHECK(csgcast_scene_set_matrix(scene, leaf, matrix), "edit %d", edit);
+    compare(scene, edit);
+}
+
+/* A solid whose top stays in its plane comes to where a larger one's, which is turned a little, is
+ * within the rounding of it. */
+static void check_moved_along(void)
+{
+    static const char text[] =
+        "multmatrix([[1,0,-1e-05,0],[0,1,0,0],[1e-05,0,1,0],[0,0,0,1]]) cube([100.001,100,1]);\n"
+        "cube([2,2,1]); multmatrix([[1,0,0,300],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(3);";
+    static const double places[] = {90, 91, 0.5, 92, 0.5};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
+    for (int i = 0; i < 5; i++)
+        move(scene, 1, places[i], 0, i);
+    CHECK(scene->carriers->kept != NULL, "the edits were not followed");
+    csgcast_scene_destroy(scene);
+}
+
+/* What is near to a surface depends on how the text rounds other solids, however far they are. */
+static void check_far_rounding(void)
+{
+    static const char text[] =
+        "linear_extrude(height = 2, twist = 45, slices = 8) square([4, 3]);\n"
+        "cube(1); translate([50, 0, 0]) cube([3.00001, 3, 3]);";
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
+    move(scene, 1, 1, 2.000003, 0);
+    move(scene, 1, 1.5, 2.000003, 1);
+    CHECK(csgcast_scene_set_parameters(scene, 2, "3"), "the parameters are not set");
+    compare(scene, 2);
+    move(scene, 1, 1, 2.000003, 3);
+    csgcast_scene_destroy(scene);
+}
+
 /* test_carrier_edit [SCENES] */
 int main(int argc, char **argv)
 {
     const int num_scenes = argc > 1 ? atoi(argv[1]) : NUM_SCENES;
     for (int seed = 1; seed <= num_scenes; seed++)
         check((uint64_t)seed);
+    check_moved_along();
+    check_far_rounding();
     CHECK(num_kept > (size_t)(num_scenes * NUM_EDITS / 2), "only %zu edits were followed",
           num_kept);
     return num_failed != 0;
