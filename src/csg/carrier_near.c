@@ -67,9 +67,10 @@ static bool meet(struct csg_carrier_change *change, uint32_t leaf)
         return false;
     bool ok = true;
     if (touched || has_other_faces(change, leaf, met.near)) {
-        if (met.near && (touched || !builder->placed[leaf]))
+        const bool is_placed = !met.near || (!touched && builder->placed[leaf]);
+        if (!is_placed)
             met.placed = csg_placed_faces_create(shape);
-        ok = (!met.near || met.placed || !touched) && csg_array_push(&change->met, met);
+        ok = (is_placed || met.placed) && csg_array_push(&change->met, met);
         if (ok)
             return true;
     }

@@ -10,6 +10,7 @@
 #include "csg/carrier_builder.h"
 #include "csg/distribute.h"
 #include "csg/follower.h"
+#include "csg/framing.h"
 #include "csg/operand.h"
 #include "csg/sharpness.h"
 
@@ -29,6 +30,7 @@ struct follow {
     CSG_ARRAY(struct csg_box) boxes; /* of the first of them: as they were */
     struct csg_sharpness *sharp;     /* of all of them */
     struct csg_operand operand;
+    struct csg_box written; /* as it was */
     bool joins; /* some object may share carriers with others that it did not share them with */
 };
 
@@ -248,6 +250,13 @@ static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
 
 /* ---- what follows from both ---------------------------------------------------------------- */
 
+/* It is asked of what is left in render() nodes, which depends on carriers. */
+static bool frame(struct follow *follow)
+{
+    follow->scene->written = csg_totals_sum(&follow->follower->totals).written;
+    return csg_framing_finish(follow->scene);
+}
+
 static bool measure(struct follow *follow)
 {
     follow->sharp = malloc((follow->objects.num + 1) * sizeof *follow->sharp);
@@ -291,7 +300,7 @@ static bool renew(struct follow *follow)
 {
     struct csgcast_scene *scene = follow->scene;
     struct csg_carriers *old = NULL;
-    bool ok = renew_carriers(follow, &old) && measure(follow);
+    bool ok = renew_carriers(follow, &old) && frame(follow) && measure(follow);
     if (ok) {
         swap_sharpness(follow);
         ok = renew_crowd(follow);
@@ -313,6 +322,8 @@ static void finish(struct follow *follow, bool done)
         follow->follower->marks[follow->objects.data[i]] = 0;
     for (size_t i = 0; i < follow->boxes.num && !done; i++)
         follow->scene->objects->data[follow->objects.data[i]].box = follow->boxes.data[i];
+    if (!done)
+        follow->scene->written = follow->written;
     free(follow->objects.data);
     free(follow->boxes.data);
     free(follow->sharp);
@@ -324,8 +335,10 @@ bool csg_follow(struct csgcast_scene *scene, const struct csg_before *before)
     if (!scene->keeps_structure || !scene->carriers->kept ||
         before->num > scene->num_leaves / MAX_PART + 1)
         return false;
-    struct follow follow = {
-        .scene = scene, .before = before, .follower = csg_follower_of(scene, before)};
+    struct follow follow = {.scene = scene,
+                            .before = before,
+                            .follower = csg_follower_of(scene, before),
+                            .written = scene->written};
     if (!follow.follower || !follow.follower->can)
         return false;
     const bool done = keep_structure(&follow) && renew(&follow);

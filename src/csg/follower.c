@@ -19,13 +19,6 @@ void csg_follower_destroy(struct csg_follower *follower)
     free(follower);
 }
 
-/* Parts of distributed objects depend on all of the object, and render() nodes are framed by what is
- * left of them. */
-static bool can_follow(const struct csgcast_scene *scene)
-{
-    return !scene->is_distributed && scene->wholes.num == 0;
-}
-
 static void find_objects(struct csg_follower *follower, const struct csgcast_scene *scene)
 {
     for (uint32_t i = 0; i < scene->objects->num; i++) {
@@ -61,7 +54,7 @@ static bool fill(struct csg_follower *follower, const struct csgcast_scene *scen
                  const struct csg_before *before)
 {
     const size_t num = scene->num_leaves;
-    follower->can = can_follow(scene);
+    follower->can = !scene->is_distributed; /* its parts depend on all of the object */
     if (!follower->can)
         return true;
     follower->objects = malloc((num + 1) * sizeof *follower->objects);

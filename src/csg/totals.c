@@ -9,13 +9,14 @@
 /* Objects of a run. */
 enum { RUN = 256 };
 
+/* What is left in render() nodes is framed by itself. */
 static void add_leaf(struct csg_sum *sum, const struct csgcast_scene *scene,
                      const struct csg_node *node, uint8_t layer)
 {
     const struct csg_leaf *leaf = &scene->leaves[node->leaf];
     if (layer != CSG_LAYER_HIGHLIGHT)
         sum->sagitta = fmax(sum->sagitta, leaf->shape.sagitta);
-    if (node->negated)
+    if (node->negated || csg_find_whole(scene, node->leaf))
         return;
     const struct csg_box written = csg_written_box(leaf);
     if (csg_box_is_finite(&written))
@@ -83,6 +84,5 @@ void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene
     const struct csg_sum all = csg_totals_sum(totals);
     scene->box = all.box;
     scene->drawn = all.drawn;
-    scene->written = all.written;
     scene->info.sagitta = all.sagitta;
 }

@@ -4,14 +4,15 @@
 
 /*
  * What a scene's boxes are united from: sums over runs of objects. After an edit only the runs of
- * the objects that changed are added up anew. Of scenes without render() nodes.
+ * the objects that changed are added up anew.
  */
 
 #include "csg/object.h"
 
 /* Of a run of objects. */
 struct csg_sum {
-    struct csg_box box, drawn, written; /* as in csgcast_scene */
+    /* As in csgcast_scene, but written without what is in render() nodes. */
+    struct csg_box box, drawn, written;
     double sagitta;
 };
 
@@ -31,7 +32,7 @@ void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *sce
 /* Of all objects. */
 struct csg_sum csg_totals_sum(const struct csg_totals *totals);
 
-/* Gives the scene its box, drawn, written and sagitta: those that csg_scene_finish finds. */
+/* Gives the scene its box, drawn and sagitta: those that csg_scene_finish finds. */
 void csg_totals_put(const struct csg_totals *totals, struct csgcast_scene *scene);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "csg/follow.h"
+#include "csg/framing.h"
 #include "scene/edits.h"
 
 /* The changes of one call. */
@@ -113,24 +114,36 @@ static bool add_to_leaf(struct session *session, const struct csgcast_edit *edit
     struct csg_patch *patch = patch_of(session, leaf);
     if (!patch)
         return false;
-    if (edit->color)
-        csg_patch_set_color(patch, edit->color);
     if (edit->matrix)
         csg_patch_set_matrix(patch, edit->matrix);
     return !edit->parameters || csg_patch_set_parameters(patch, session->scene, edit->parameters);
 }
 
-/* An edit of one of a node's leaves is one of all of them. */
+static bool add_color(struct session *session, const float *color, uint32_t begin, uint32_t end)
+{
+    for (uint32_t i = begin; i < end; i++) {
+        struct csg_patch *patch = patch_of(session, i);
+        if (!patch)
+            return false;
+        csg_patch_set_color(patch, color);
+    }
+    return true;
+}
+
+/* An edit of one of a node's leaves is one of all of them; what is in a render() has one colour. */
 static bool add_edit(struct session *session, const struct csgcast_edit *edit)
 {
     if (!check(session, edit))
         return false;
     const struct csg_origin *origin = &session->scene->edits->origins.data[edit->leaf];
+    const struct csg_whole *whole = csg_find_whole(session->scene, (uint32_t)edit->leaf);
+    const uint32_t first = (uint32_t)origin->first, end = first + (uint32_t)origin->num;
     session->moves |= edit->matrix || edit->parameters;
-    for (uint32_t i = origin->first; i < origin->first + origin->num; i++)
+    for (uint32_t i = first; i < end; i++)
         if (!add_to_leaf(session, edit, i))
             return false;
-    return true;
+    return !edit->color ||
+           add_color(session, edit->color, whole ? whole->begin : first, whole ? whole->end : end);
 }
 
 static void swap_all(struct session *session)

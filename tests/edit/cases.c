@@ -319,8 +319,50 @@ static void check_zeros(struct bench *bench)
     csgcast_scene_destroy(scene);
 }
 
+static void print_render(char *text, const char *color, double x, const char *radius)
+{
+    snprintf(text, MODEL_MAX_TEXT,
+             "color([%s]) render() { difference() { cube(10);"
+             " multmatrix([[1,0,0,%.17g],[0,1,0,1],[0,0,1,6],[0,0,0,1]]) sphere(%s); }"
+             " multmatrix([[1,0,0,12],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) cube(3); }\n"
+             "cube(2); multmatrix([[1,0,0,-5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) sphere(2);",
+             color, x, radius);
+}
+
+/* What is left in a render() is framed by itself, and has one colour. */
+static void check_render(struct bench *bench)
+{
+    static const struct {
+        const char *color;
+        double x;
+        const char *radius;
+    } edits[] = {{"1, 0, 0, 1", 5, "5"}, {"1, 0, 0, 1", 9, "5"},   {"0, 1, 0, 1", 9, "12"},
+                 {"0, 1, 0, 1", 5, "9"}, {"0, 1, 0, 0.5", 5, "9"}, {"0, 0, 1, 0.5", 3, "4"}};
+    print_render(bench->text, "1, 0, 0, 1", 5, "4");
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
+    bench_draw_edited(bench, scene, NULL);
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        const double matrix[16] = {1, 0, 0, edits[i].x, 0, 1, 0, 1, 0, 0, 1, 6, 0, 0, 0, 1};
+        float color[4];
+        sscanf(edits[i].color, "%f, %f, %f, %f", &color[0], &color[1], &color[2], &color[3]);
+        const struct csgcast_edit both[2] = {
+            {.leaf = 1, .matrix = matrix, .parameters = edits[i].radius},
+            {.leaf = i % 3, .color = color}};
+        CHECK(csgcast_scene_edit(scene, both, 2), "%s", bench_last_message);
+        print_render(bench->text, edits[i].color, edits[i].x, edits[i].radius);
+        struct csgcast_scene *fresh = bench_parse(bench->text);
+        bench_draw_edited(bench, scene, NULL);
+        bench_draw(bench->fresh, fresh, NULL, &bench->expected);
+        bench_compare_pictures(bench, "render", true);
+        bench_compare_info(scene, fresh, "render");
+        csgcast_scene_destroy(fresh);
+    }
+    csgcast_scene_destroy(scene);
+}
+
 void check_cases(struct bench *bench)
 {
+    check_render(bench);
     check_zeros(bench);
     check_empty(bench);
     check_getters(bench);

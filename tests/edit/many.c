@@ -33,7 +33,7 @@ static const char *change(struct model *model, struct csgcast_scene *scene, size
     struct model_leaf *leaf = &model->leaves[index];
     struct csgcast_edit edit = {.leaf = index};
     const int what = (int)model_random(model, 0, 8);
-    if (what < 4 || !model_has_parameters(leaf))
+    if (what < 4 || leaf->is_rendered || !model_has_parameters(leaf))
         move(model, leaf);
     else if (what < 6)
         model_random_parameters(model, leaf->kind, leaf->parameters);

@@ -116,14 +116,14 @@ enum { NUM_CELLS = 6, CELL = 5 };
 void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked,
                      bool has_surfaces)
 {
-    static const char *const marks[] = {"#", "%"};
+    static const char *const marks[] = {"#", "%", "render() "};
     memset(model, 0, sizeof *model);
     model->state = seed;
     model->nodes[model->num_nodes++] = (struct model_node){1, num_objects, NULL};
     for (int i = 0; i < num_objects; i++) {
         const int num = pick(model, 3) ? 1 : 2 + pick(model, 2), first = model->num_leaves;
         const int place[3] = {i % NUM_CELLS, i / NUM_CELLS % NUM_CELLS, i / NUM_CELLS / NUM_CELLS};
-        const char *mark = marked && i % 20 == 0 ? marks[pick(model, 2)] : NULL;
+        const char *mark = marked && i % 20 == 0 ? marks[pick(model, 3)] : NULL;
         const int node = model->num_nodes;
         if (num > 1)
             model->nodes[model->num_nodes++] = (struct model_node){2 + pick(model, 2), num, NULL};
@@ -135,6 +135,10 @@ void model_init_many(struct model *model, uint64_t seed, int num_objects, bool m
                 add_leaf(model);
         }
         model->nodes[node].mark = mark;
+        for (int j = first; j < model->num_leaves && mark && mark[0] == 'r'; j++) {
+            model->leaves[j].is_rendered = true;
+            model->leaves[j].color[0] = -1;
+        }
         for (int j = first; j < model->num_leaves; j++)
             for (int k = 0; k < 3; k++) {
                 model->leaves[j].place[k] = CELL * place[k];

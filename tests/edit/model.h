@@ -16,15 +16,16 @@ struct model_leaf {
     const char *kind;
     char parameters[128];
     double matrix[16];
-    float color[4];  /* r < 0: none */
-    double place[3]; /* of its object, where there are many */
+    float color[4];   /* r < 0: none */
+    double place[3];  /* of its object, where there are many */
+    bool is_rendered; /* in a render(), where no colour stands */
 };
 
 /* The tree in pre-order: a leaf, or an op with this many operands. */
 struct model_node {
     int op; /* 0 leaf, 1 union, 2 difference, 3 intersection */
     int num;
-    const char *mark; /* before it: "#" or "%"; NULL: nothing */
+    const char *mark; /* before it: "#", "%" or "render() "; NULL: nothing */
 };
 
 struct model {
@@ -41,7 +42,7 @@ double model_random(struct model *model, double lo, double hi);
 void model_init(struct model *model, uint64_t seed, int max_leaves);
 
 /* Objects of one solid to three in a grid of places, some of them with flush faces; marked: some
- * under # or %; has_surfaces: some are surfaces of triangles, whose parameters cannot be set. */
+ * under #, % or render(); has_surfaces: some are surfaces of triangles, whose parameters cannot be set. */
 void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked,
                      bool has_surfaces);
 

@@ -225,7 +225,8 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * a program that draws faster, as a frame with a moved camera may.
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
- * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set.
+ * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set. What is in
+ * a render() has one colour, as in OpenSCAD: that of one of its leaves is that of all.
  */
 struct csgcast_leaf {
     const char *kind;      /* of the node, e.g. "cylinder"; static */
