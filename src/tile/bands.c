@@ -119,7 +119,7 @@ static void start_ranges(const struct csg_bands *bands, struct csg_leaf_range *r
 {
     const double far = (double)CSG_KEY_MAX;
     for (size_t i = 0; i < bands->starts.num; i++)
-        ranges[i] = (struct csg_leaf_range){{far, far}, {-far, -far}, false};
+        ranges[i] = (struct csg_leaf_range){{far, far}, {-far, -far}};
 }
 
 /* Rays that meet nothing are inside all the way, or nowhere; rays that do, anywhere between. */
@@ -130,11 +130,11 @@ static void finish_ranges(const struct csg_bands *bands, struct csg_leaf_range *
         const bool starts = bands->starts.data[i];
         struct csg_range range = {ranges[i].entry.lo, ranges[i].exit.hi};
         if (range.lo > range.hi && starts)
-            ranges[i] = (struct csg_leaf_range){{-far, -far}, {far, far}, true};
+            ranges[i] = (struct csg_leaf_range){{-far, -far}, {far, far}};
         if (range.lo > range.hi)
             continue;
         range.lo = starts ? -far : range.lo;
-        ranges[i] = (struct csg_leaf_range){range, range, false};
+        ranges[i] = (struct csg_leaf_range){range, range};
     }
 }
 

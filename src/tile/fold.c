@@ -10,13 +10,13 @@
 /* Trees of so many nodes are first looked through for leaves that miss the tile. */
 #define MIN_SIFTED_NODES 64
 
-struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_tile_task *task)
+struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_rect *tile)
 {
     const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
     double center[2], half[2];
     for (int i = 0; i < 2; i++) {
-        center[i] = 0.5 * (task->lo[i] + task->hi[i]) - at[i];
-        half[i] = 0.5 * (task->hi[i] - task->lo[i]) - 0.5;
+        center[i] = 0.5 * (tile->lo[i] + tile->hi[i]) - at[i];
+        half[i] = 0.5 * (tile->hi[i] - tile->lo[i]) - 0.5;
     }
     return csg_tile_box(center, half);
 }
@@ -35,41 +35,112 @@ static struct csg_range node_range(const struct csg_tiler *tiler, const struct c
     return range;
 }
 
-static bool is_in_rect(const struct csg_rect *rect, const struct csg_tile_task *task)
+static bool is_in_rect(const struct csg_rect *rect, const struct csg_rect *part)
 {
-    return rect->lo[0] < task->hi[0] && rect->hi[0] > task->lo[0] && rect->lo[1] < task->hi[1] &&
-           rect->hi[1] > task->lo[1];
+    return rect->lo[0] < part->hi[0] && rect->hi[0] > part->lo[0] && rect->lo[1] < part->hi[1] &&
+           rect->hi[1] > part->lo[1];
 }
 
-/* Whether the tile misses the leaf by its rectangle. Rays that start inside of solids meet them
- * behind the eye, too. */
+/* Stacks have no rectangle. Rays that start inside of solids meet them behind the eye, too. */
+static const struct csg_rect *rect_of(const struct csg_tiler *tiler, uint32_t leaf)
+{
+    return tiler->draw->around_eye || leaf >= tiler->terms->scene->num_leaves
+               ? NULL
+               : &csg_terms_of(tiler->terms, leaf)->rect;
+}
+
+/* Whether the tile misses the leaf by its rectangle. */
 static bool misses(const struct csg_tiler *tiler, const struct csg_tile_task *task, uint32_t leaf)
 {
-    return !tiler->draw->around_eye && leaf < tiler->terms->scene->num_leaves &&
-           !is_in_rect(&csg_terms_of(tiler->terms, leaf)->rect, task);
+    const struct csg_rect tile = csg_tile_rect(task);
+    const struct csg_rect *rect = rect_of(tiler, leaf);
+    return rect && !is_in_rect(rect, &tile);
 }
 
-static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler,
-                                        const struct csg_tile_box *box, uint32_t leaf)
+/* The parts that do, as bits. */
+static uint8_t missing_parts(const struct csg_tiler *tiler, uint32_t leaf)
 {
+    const struct csg_rect *rect = rect_of(tiler, leaf);
+    uint8_t missed = 0;
+    for (int i = 0; i < tiler->parts.num && rect; i++)
+        missed |= (uint8_t)(!is_in_rect(rect, &tiler->parts.rects[i]) << i);
+    return missed;
+}
+
+/* Whether its ranges are found for all parts at once. */
+static bool has_lanes(const struct csg_tiler *tiler, uint32_t leaf)
+{
+    return leaf < tiler->terms->scene->num_leaves &&
+           !(csg_terms_of(tiler->terms, leaf)->flags & CSG_RECORD_SURFACE);
+}
+
+bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    struct csg_tile_parts *parts = &tiler->parts;
+    parts->ranges.num = parts->missed.num = 0;
+    if (!csg_array_reserve(&parts->ranges, tree->num) ||
+        !csg_array_reserve(&parts->missed, tree->num))
+        return false;
+    for (int i = 0; i < CSG_TILE_LANES; i++) {
+        const struct csg_tile_box box = csg_tiler_box(tiler, &parts->rects[i < parts->num ? i : 0]);
+        csg_tile_boxes_set(&parts->boxes, i, &box);
+    }
+    for (size_t i = 0; i < tree->num; i++) {
+        const uint32_t leaf = tree->data[i].leaf;
+        if (tree->data[i].op != CSG_LEAF)
+            continue;
+        const uint8_t missed = parts->missed.data[i] = missing_parts(tiler, leaf);
+        if (missed + 1 != 1 << parts->num && has_lanes(tiler, leaf))
+            csg_ranges_of_leaf(tiler->terms, csg_terms_of(tiler->terms, leaf), &parts->boxes,
+                               &parts->ranges.data[i]);
+    }
+    return true;
+}
+
+/* Of the leaf at node i of the tree that was looked at. */
+static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler,
+                                        const struct csg_tile_box *box, uint32_t leaf, uint32_t i)
+{
+    const struct csg_tile_parts *parts = &tiler->parts;
+    const struct csg_leaf_ranges *ranges = &parts->ranges.data[i];
     const size_t num_leaves = tiler->terms->scene->num_leaves;
+    if (parts->missed.data[i] >> parts->at & 1)
+        return csg_leaf_nowhere;
     if (leaf >= num_leaves)
         return tiler->stacks.data[leaf - num_leaves];
-    return csg_range_of_leaf(tiler->terms, csg_terms_of(tiler->terms, leaf), box);
+    if (has_lanes(tiler, leaf))
+        return (struct csg_leaf_range){csg_range_in_lane(&ranges->entry, parts->at),
+                                       csg_range_in_lane(&ranges->exit, parts->at)};
+    return csg_range_of_surface(csg_terms_view(tiler->terms, leaf), box);
 }
 
-static void fill_ranges(struct csg_tiler *tiler, const struct csg_tile_task *task,
+/* What is known of the leaf at node i in the part at hand. */
+static struct csg_leaf_range *note_leaf(struct csg_tiler *tiler, const struct csg_tile_box *box,
+                                        uint32_t leaf, uint32_t i)
+{
+    struct csg_leaf_range *range = csg_tiler_range(tiler, leaf);
+    *range = leaf_range(tiler, box, leaf, i);
+    tiler->origins.data[tiler->terms->index[leaf]] = i;
+    return range;
+}
+
+static void fill_leaves(struct csg_tiler *tiler, const struct csg_tree *tree,
                         const struct csg_tile_box *box)
 {
-    for (size_t i = task->tree.num; i-- > 0;) {
-        const struct csg_node *node = &task->tree.data[i];
+    for (uint32_t i = 0; i < tree->num; i++)
+        if (tree->data[i].op == CSG_LEAF)
+            note_leaf(tiler, box, tree->data[i].leaf, i);
+}
+
+static void fill_nodes(struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    for (size_t i = tree->num; i-- > 0;) {
+        const struct csg_node *node = &tree->data[i];
         if (node->op != CSG_LEAF) {
-            tiler->nodes.data[i] = node_range(tiler, &task->tree, (uint32_t)i);
+            tiler->nodes.data[i] = node_range(tiler, tree, (uint32_t)i);
             continue;
         }
-        struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
-        *leaf =
-            misses(tiler, task, node->leaf) ? csg_leaf_nowhere : leaf_range(tiler, box, node->leaf);
+        const struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
         tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
                                              : (struct csg_range){leaf->entry.lo, leaf->exit.hi};
     }
@@ -84,7 +155,7 @@ static uint8_t judge(const struct csg_leaf_range *leaf, struct csg_range context
 {
     if (leaf->entry.lo > leaf->exit.hi || leaf->exit.hi < context.lo || leaf->entry.lo > context.hi)
         return CSG_NOTHING;
-    if (leaf->solid && leaf->entry.hi < context.lo && leaf->exit.lo > context.hi)
+    if (csg_is_solid(leaf) && leaf->entry.hi < context.lo && leaf->exit.lo > context.hi)
         return CSG_EVERYTHING;
     return CSG_VARIES;
 }
@@ -170,10 +241,11 @@ static bool judge_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
 
 static bool reserve(struct csg_tiler *tiler, size_t num)
 {
-    tiler->nodes.num = tiler->contexts.num = tiler->ranges.num = 0;
+    tiler->nodes.num = tiler->contexts.num = tiler->ranges.num = tiler->origins.num = 0;
     tiler->stacks.num = tiler->members.num = tiler->keys.num = 0;
     return csg_array_reserve(&tiler->stacks, tiler->terms->stacks.list.num) &&
            csg_array_reserve(&tiler->ranges, tiler->terms->leaves.num) &&
+           csg_array_reserve(&tiler->origins, tiler->terms->leaves.num) &&
            csg_array_reserve(&tiler->nodes, num) && csg_array_reserve(&tiler->contexts, num) &&
            csg_array_reserve(&tiler->keys, num) && csg_array_reserve(&tiler->members, 2 * num);
 }
@@ -195,7 +267,7 @@ static bool sift(struct csg_tiler *tiler, struct csg_tile_task *task)
 static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task,
                  const struct csg_tile_box *box)
 {
-    fill_ranges(tiler, task, box);
+    fill_nodes(tiler, &task->tree);
     bool found = judge_leaves(tiler, &task->tree);
     found |= !has_repeats(tiler) &&
              csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
@@ -259,8 +331,7 @@ static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree,
     *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
-        struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
-        *leaf = leaf_range(tiler, box, node->leaf);
+        const struct csg_leaf_range *leaf = note_leaf(tiler, box, node->leaf, i);
         if (!node->negated) {
             common->lo = csg_larger(common->lo, leaf->entry.lo);
             common->hi = csg_smaller(common->hi, leaf->exit.hi);
@@ -273,7 +344,7 @@ static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree,
     return true;
 }
 
-/* The same as fold, for a flat tree that has been sifted. */
+/* The same as fold, for a flat tree. */
 static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
                       const struct csg_tile_box *box)
 {
@@ -303,20 +374,26 @@ static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
     task->flat = tree->num > 1;
 }
 
+bool csg_tiler_sift(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    if (!task->flat)
+        return sift(tiler, task);
+    sift_flat(tiler, task);
+    return true;
+}
+
 bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
-    if (task->flat)
-        sift_flat(tiler, task);
-    else if (!sift(tiler, task))
-        return false;
     if (task->tree.num == 0)
         return true;
     if (!reserve(tiler, task->tree.num))
         return false;
-    const struct csg_tile_box box = csg_tiler_box(tiler, task);
+    const struct csg_tile_box box = csg_tiler_box(tiler, &tiler->parts.rects[tiler->parts.at]);
     csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
-    if (!task->flat)
-        return fold(tiler, task, &box);
-    fold_flat(tiler, task, &box);
-    return true;
+    if (task->flat) {
+        fold_flat(tiler, task, &box);
+        return true;
+    }
+    fill_leaves(tiler, &task->tree, &box);
+    return sift(tiler, task) && (task->tree.num == 0 || fold(tiler, task, &box));
 }

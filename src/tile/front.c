@@ -31,7 +31,7 @@ static double next_of_leaf(const struct csg_leaf_range *leaf, bool negated, doub
                    ? key
                    : behind(leaf->exit.hi);
     const double begin = key > leaf->entry.hi ? key : behind(leaf->entry.hi);
-    return leaf->solid && begin < leaf->exit.lo ? begin : INFINITY;
+    return csg_is_solid(leaf) && begin < leaf->exit.lo ? begin : INFINITY;
 }
 
 /* Of a node; no later than that: the key itself only where it is certainly true there. */

@@ -21,9 +21,13 @@ struct csg_range {
 /* Where the rays of a tile enter and leave a leaf: bounds that hold for every ray that meets it. */
 struct csg_leaf_range {
     struct csg_range entry, exit;
-    bool
-        solid; /* every ray meets it, and it has no gap: inside from entry.hi to exit.lo at least */
 };
+
+/* Whether every ray meets it and it has no gap: inside from entry.hi to exit.lo at least. */
+static inline bool csg_is_solid(const struct csg_leaf_range *range)
+{
+    return range->entry.hi < range->exit.lo;
+}
 
 /* Of a leaf that no ray meets. */
 extern const struct csg_leaf_range csg_leaf_nowhere;
@@ -70,14 +74,49 @@ struct csg_quadric_range {
 struct csg_quadric_range csg_range_of_quadric(const double *texels,
                                               const struct csg_tile_box *tile);
 
-struct csg_leaf_range csg_range_of_leaf(const struct csg_terms *terms,
-                                        const struct csg_leaf_terms *leaf,
-                                        const struct csg_tile_box *tile);
+/* ---- several tiles at once: the parts that one is cut into ---------------------------------- */
 
-/* Which of the planes of a leaf with that range can be its entry or exit somewhere in the tile;
- * returns whether its quadric can. */
-bool csg_range_filter(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
-                      const struct csg_leaf_range *range, const struct csg_tile_box *tile,
-                      bool *planes);
+#define CSG_TILE_LANES 4
+
+struct csg_tile_boxes {
+    double center[2][CSG_TILE_LANES], reach[2][CSG_TILE_LANES]; /* as of csg_tile_box */
+};
+
+void csg_tile_boxes_set(struct csg_tile_boxes *boxes, int lane, const struct csg_tile_box *box);
+
+struct csg_ranges {
+    double lo[CSG_TILE_LANES], hi[CSG_TILE_LANES];
+};
+
+/* Of a leaf of planes, and perhaps a quadric. */
+struct csg_leaf_ranges {
+    struct csg_ranges entry, exit;
+    struct csg_ranges first, second; /* crossings of its quadric */
+    struct csg_ranges conic;         /* that tells whether there are any */
+    int code;                        /* of the quadric, CSG_QUADRIC_*; -1: there is none */
+};
+
+void csg_ranges_of_leaf(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                        const struct csg_tile_boxes *tiles, struct csg_leaf_ranges *ranges);
+
+/* In one of the tiles. */
+static inline struct csg_range csg_range_in_lane(const struct csg_ranges *ranges, int lane)
+{
+    return (struct csg_range){ranges->lo[lane], ranges->hi[lane]};
+}
+
+/* Of a leaf that is a surface of triangles. */
+struct csg_leaf_range csg_range_of_surface(const struct csg_surface_view *view,
+                                           const struct csg_tile_box *tile);
+
+/* Whether a leaf's quadric can be its entry or exit somewhere in the tile of a lane, where the leaf
+ * matters within range. */
+bool csg_range_has_quadric(const struct csg_leaf_ranges *ranges, int lane,
+                           const struct csg_leaf_range *range);
+
+/* Which of the planes of a leaf can. */
+void csg_range_filter_planes(const struct csg_terms *terms, const struct csg_leaf_terms *leaf,
+                             const struct csg_leaf_range *range, const struct csg_tile_box *tile,
+                             bool *planes);
 
 #endif

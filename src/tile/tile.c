@@ -65,11 +65,12 @@ static bool copy_tree(struct csg_tiler *tiler, const struct csg_tree *tree, stru
     return true;
 }
 
-/* The memory of a tree that is not needed any more, for the next one. */
-static void drop_tree(struct csg_tiler *tiler, struct csg_tree *tree)
+/* The memory of a tree that is not needed any more is for the next one. */
+static void drop_task(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
-    if (tree->data && !csg_array_push(&tiler->spare, *tree))
-        free(tree->data);
+    if (task->tree.data && !csg_array_push(&tiler->spare, task->tree))
+        free(task->tree.data);
+    free(task->bands.data);
 }
 
 static int tile_size(const struct csg_tiler *tiler)
@@ -101,43 +102,42 @@ static void keep_part(struct csg_tile_task *task, int axis, int edge, bool upper
         task->hi[axis] = edge;
 }
 
-/* Waits for its turn with a copy of the task's tree. */
-static bool add_task(struct csg_tiler *tiler, const struct csg_tile_task *task)
+/* The task's own copies; dropped where memory is out. */
+static bool copy_parts_of(struct csg_tiler *tiler, const struct csg_tile_task *whole,
+                          struct csg_tile_task *part)
 {
-    struct csg_tile_task copy = *task;
-    copy.bands = (struct csg_band_list){0};
-    if (copy_tree(tiler, &task->tree, &copy.tree) &&
-        csg_band_list_copy(&task->bands, &copy.bands) && csg_array_push(&tiler->tasks, copy))
+    part->bands = (struct csg_band_list){0};
+    if (copy_tree(tiler, &whole->tree, &part->tree) &&
+        csg_band_list_copy(&whole->bands, &part->bands))
         return true;
-    free(copy.tree.data);
-    free(copy.bands.data);
+    drop_task(tiler, part);
     return false;
 }
 
-/* Cuts into two or four, across the axes that have an edge of the larger step. */
-static bool cut(struct csg_tiler *tiler, struct csg_tile_task *task, size_t num_leaves)
+/* Cuts into two or four, across the axes that have an edge of the larger step; returns how many. */
+static int cut(const struct csg_tiler *tiler, const struct csg_tile_task *task,
+               struct csg_tile_task parts[CSG_TILE_LANES])
 {
-    int edges[2], steps[2], parts = 1;
+    int edges[2], steps[2], num = 1;
     for (int i = 0; i < 2; i++) {
         const int size = task->hi[i] - task->lo[i];
         const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
         edges[i] = edge_between(task->lo[i], task->hi[i], tile, &steps[i]);
     }
     const bool cuts[2] = {steps[0] >= steps[1], steps[1] >= steps[0]};
-    task->before[1] = cuts[0] && cuts[1] ? num_leaves : task->before[0];
-    task->before[0] = num_leaves;
+    const size_t num_leaves = csg_tree_count_leaves(&task->tree);
     for (int i = 0; i < 2; i++)
-        parts *= cuts[i] ? 2 : 1;
-    for (int part = 0; part < parts; part++) {
-        struct csg_tile_task some = *task;
+        num *= cuts[i] ? 2 : 1;
+    for (int i = 0; i < num; i++) {
+        parts[i] = *task;
+        parts[i].before[0] = num_leaves;
+        parts[i].before[1] = num == 4 ? num_leaves : task->before[0];
         if (cuts[0])
-            keep_part(&some, 0, edges[0], part & 1);
+            keep_part(&parts[i], 0, edges[0], i & 1);
         if (cuts[1])
-            keep_part(&some, 1, edges[1], cuts[0] ? part >> 1 : part);
-        if (!add_task(tiler, &some))
-            return false;
+            keep_part(&parts[i], 1, edges[1], cuts[0] ? i >> 1 : i);
     }
-    return true;
+    return num;
 }
 
 static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task,
@@ -153,13 +153,14 @@ static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_
     if (step->flags & CSG_RECORD_SURFACE)
         return csg_surface_add_record(tiler->terms, step, task->lo, task->hi);
     const struct csg_leaf_terms *leaf = csg_terms_of(tiler->terms, step->leaf);
-    struct csg_record_filter filter = {NULL, false};
+    const struct csg_leaf_range *range = csg_tiler_range(tiler, step->leaf);
     tiler->planes.num = 0;
     if (!csg_array_reserve(&tiler->planes, leaf->num_entries + leaf->num_exits + 1))
         return false;
-    filter.quadric = csg_range_filter(tiler->terms, leaf, csg_tiler_range(tiler, step->leaf), box,
-                                      tiler->planes.data);
-    filter.planes = tiler->planes.data;
+    csg_range_filter_planes(tiler->terms, leaf, range, box, tiler->planes.data);
+    const struct csg_record_filter filter = {
+        tiler->planes.data,
+        csg_range_has_quadric(csg_tiler_ranges(tiler, step->leaf), tiler->parts.at, range)};
     return csg_record_add(tiler->terms, step, &filter);
 }
 
@@ -177,7 +178,8 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
                         struct csg_draw *draw, int *most_planes)
 {
     const struct csg_frame *frame = tiler->terms->frame;
-    const struct csg_tile_box box = csg_tiler_box(tiler, task);
+    const struct csg_rect rect = csg_tile_rect(task);
+    const struct csg_tile_box box = csg_tiler_box(tiler, &rect);
     if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
                        !draw->around_eye))
         return false;
@@ -205,7 +207,7 @@ static bool add_draw(struct csg_tiler *tiler, const struct csg_tile_task *task,
                      struct csg_draw *draw)
 {
     struct csg_frame *frame = tiler->terms->frame;
-    const struct csg_rect rect = {{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
+    const struct csg_rect rect = csg_tile_rect(task);
     csg_draw_set_rect(draw, &frame->screen, &rect);
     csg_frame_count(frame, &rect, csg_tree_count_leaves(&task->tree) + task->bands.num);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
@@ -257,25 +259,66 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
     return !smallest && many && tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
-static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
+/* Draws a tile; *drawn is false where it is to be cut all the same. */
+static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task, bool *drawn)
 {
-    if (!csg_tiler_fold(tiler, task))
-        return false;
-    if (task->tree.num == 0) {
-        tiler->terms->frame->tiles_empty++;
-        return true;
-    }
-    const size_t num_leaves = csg_tree_count_leaves(&task->tree);
-    if (is_worth_cutting(tiler, task, num_leaves))
-        return cut(tiler, task, num_leaves);
     struct csg_draw draw = *tiler->draw;
     int most_planes;
     if (!put_records(tiler, task, &draw, &most_planes))
         return false;
-    if (!has_many_planes(tiler, task, &draw, num_leaves, most_planes))
+    *drawn = !has_many_planes(tiler, task, &draw, csg_tree_count_leaves(&task->tree), most_planes);
+    if (*drawn)
         return add_draw(tiler, task, &draw);
     tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];
-    return cut(tiler, task, num_leaves);
+    return true;
+}
+
+/* What was folded last is drawn, or waits to be cut. Takes the task. */
+static bool settle(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    bool ok = true, done = task->tree.num == 0;
+    if (done)
+        tiler->terms->frame->tiles_empty++;
+    else if (!is_worth_cutting(tiler, task, csg_tree_count_leaves(&task->tree)))
+        ok = draw_tile(tiler, task, &done);
+    if (ok && !done && csg_array_push(&tiler->tasks, *task))
+        return true;
+    drop_task(tiler, task);
+    return ok && done;
+}
+
+static bool fold_and_settle(struct csg_tiler *tiler, struct csg_tile_task *task, int part)
+{
+    tiler->parts.at = part;
+    if (csg_tiler_fold(tiler, task))
+        return settle(tiler, task);
+    drop_task(tiler, task);
+    return false;
+}
+
+/* Takes the task, of which parts are left to do. */
+static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    struct csg_tile_task parts[CSG_TILE_LANES];
+    tiler->parts.num = cut(tiler, task, parts);
+    for (int i = 0; i < tiler->parts.num; i++)
+        tiler->parts.rects[i] = csg_tile_rect(&parts[i]);
+    bool ok = csg_tiler_look(tiler, &task->tree);
+    for (int i = 0; i < tiler->parts.num && ok; i++)
+        ok = copy_parts_of(tiler, task, &parts[i]) && fold_and_settle(tiler, &parts[i], i);
+    drop_task(tiler, task);
+    return ok;
+}
+
+/* The first task, which is all of the area. Takes it. */
+static bool begin(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    tiler->parts.num = 1;
+    tiler->parts.rects[0] = csg_tile_rect(task);
+    if (csg_tiler_sift(tiler, task) && csg_tiler_look(tiler, &task->tree))
+        return fold_and_settle(tiler, task, 0);
+    drop_task(tiler, task);
+    return false;
 }
 
 /* The object's own part of the layer's tree, counted from 0. */
@@ -290,18 +333,6 @@ static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object
     return csg_tree_append(tree, nodes, object->begin, object->end);
 }
 
-static bool run_all(struct csg_tiler *tiler)
-{
-    bool ok = true;
-    while (tiler->tasks.num) {
-        struct csg_tile_task task = tiler->tasks.data[--tiler->tasks.num];
-        ok = ok && run(tiler, &task);
-        drop_tree(tiler, &task.tree);
-        free(task.bands.data);
-    }
-    return ok;
-}
-
 bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
                    const struct csg_tile_area *area, const struct csg_draw *draw)
 {
@@ -313,18 +344,26 @@ bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
                                   .hi = {area->hi[0], area->hi[1]}};
     bool ok = object_tree(&tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
     whole.flat = ok && csg_tiler_is_flat(&whole.tree);
-    ok = ok && csg_array_push(&tiler.tasks, whole);
-    if (!ok) {
-        free(whole.tree.data);
-        free(whole.bands.data);
+    if (ok)
+        ok = begin(&tiler, &whole);
+    else
+        drop_task(&tiler, &whole);
+    while (tiler.tasks.num) {
+        struct csg_tile_task task = tiler.tasks.data[--tiler.tasks.num];
+        if (ok)
+            ok = run(&tiler, &task);
+        else
+            drop_task(&tiler, &task);
     }
-    ok = run_all(&tiler) && ok;
     for (size_t i = 0; i < tiler.spare.num; i++)
         free(tiler.spare.data[i].data);
     free(tiler.spare.data);
     csg_tree_room_finish(&tiler.room);
     free(tiler.tasks.data);
+    free(tiler.parts.ranges.data);
+    free(tiler.parts.missed.data);
     free(tiler.ranges.data);
+    free(tiler.origins.data);
     free(tiler.members.data);
     free(tiler.nodes.data);
     free(tiler.contexts.data);

@@ -18,13 +18,24 @@ struct csg_tile_task {
     bool flat;                  /* the tree is: see csg_tiler_is_flat */
 };
 
+/* The rectangles that a task's one is cut into, and what their rays meet of its tree, by node. */
+struct csg_tile_parts {
+    int num, at; /* at: the one at hand */
+    struct csg_rect rects[CSG_TILE_LANES];
+    struct csg_tile_boxes boxes;
+    CSG_ARRAY(struct csg_leaf_ranges) ranges;
+    CSG_ARRAY(uint8_t) missed; /* by the rectangles of leaves: bits of parts */
+};
+
 struct csg_tiler {
     struct csg_terms *terms;
     const struct csg_draw *draw;
     CSG_ARRAY(struct csg_tile_task) tasks;
     CSG_ARRAY(struct csg_tree) spare; /* memory of tasks that are done */
     struct csg_tree_room room;
+    struct csg_tile_parts parts;
     CSG_ARRAY(struct csg_leaf_range) ranges; /* by leaf of the terms, of the tile at hand */
+    CSG_ARRAY(uint32_t) origins;             /* ... made from this node's of the parts */
     CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
     CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
     CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
@@ -43,14 +54,33 @@ static inline struct csg_leaf_range *csg_tiler_range(const struct csg_tiler *til
     return &tiler->ranges.data[tiler->terms->index[leaf]];
 }
 
-struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_tile_task *task);
+static inline struct csg_rect csg_tile_rect(const struct csg_tile_task *task)
+{
+    return (struct csg_rect){{task->lo[0], task->lo[1]}, {task->hi[0], task->hi[1]}};
+}
+
+/* What the range of a leaf of planes and quadrics was made from. */
+static inline const struct csg_leaf_ranges *csg_tiler_ranges(const struct csg_tiler *tiler,
+                                                             uint32_t leaf)
+{
+    return &tiler->parts.ranges.data[tiler->origins.data[tiler->terms->index[leaf]]];
+}
+
+struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_rect *tile);
 
 /* Whether the tree is one intersection of leaves, none of them spare: a plate with holes, and what
  * most tiles of other objects come to. */
 bool csg_tiler_is_flat(const struct csg_tree *tree);
 
-/* Leaves of the task's tree what matters in its tile; no nodes: nothing does. Finds the ranges of
- * the leaves that stay, and whether the tile is opaque. false: out of memory. */
+/* Leaves out of the task's tree what its tile misses by rectangles. false: out of memory. */
+bool csg_tiler_sift(struct csg_tiler *tiler, struct csg_tile_task *task);
+
+/* Finds what the parts' rays meet of a tree. false: out of memory. */
+bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree);
+
+/* Leaves of the task's tree, which is the one that was looked at, what matters in the part at
+ * hand, its tile; no nodes: nothing does. Finds the ranges of the leaves that stay, and whether the tile is
+ * opaque. false: out of memory. */
 bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task);
 
 #endif
