@@ -17,6 +17,15 @@ csg_span csg_chain_planes(vec4 e0, vec4 e1, vec4 x0, vec4 x1, vec2 d)
     return span;
 }
 
+/* The same with one of each. */
+csg_span csg_chain_pair(vec4 e0, vec4 x0, vec2 d)
+{
+    csg_span span = csg_whole_ray();
+    csg_enter(csg_plane(e0, d), 0, span);
+    csg_leave(csg_plane(x0, d), 2, span);
+    return span;
+}
+
 /*
  * All literals hold within what the solids have in common, whole.x to whole.y, less what the
  * complements take away: of this literal that, or nothing.

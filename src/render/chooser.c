@@ -115,29 +115,35 @@ static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw 
     return program;
 }
 
-static bool can_be_chain(const struct csg_chooser *chooser, int chain)
+/* The smallest chain that can be used for that; -1: none. */
+static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain *needed)
 {
-    return csg_chain_size(chain, chooser->direct) <= chooser->max_handed &&
-           (!chooser->request->after_edit || csg_chooser_knows_chain(chooser, chain));
+    for (int i = 0; i < CSG_NUM_CHAINS; i++)
+        if (chooser->may_chain[i] && csg_chain_fits(i, needed))
+            return i;
+    return -1;
 }
 
 /* Tiles hold trees of any kind; most are chains. */
-static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *draw)
+static bool is_chain(const struct csg_chooser *chooser, const struct csg_draw *draw,
+                     struct csg_chain *needed)
 {
     const struct csg_request *request = chooser->request;
     const bool wanted = request->resolver < 0 || request->resolver == CSG_RESOLVER_STRAIGHT ||
                         request->resolver == CSG_RESOLVER_CHAIN;
-    const float *texels = chooser->renderer->frame.texels.data;
-    if (!wanted || !draw->tile || draw->stiff || draw->precise || draw->around_eye ||
-        request->textbook)
+    return wanted && draw->tile && !draw->stiff && !draw->precise && !draw->around_eye &&
+           !request->textbook &&
+           csg_chain_find(chooser->renderer->frame.texels.data, (size_t)draw->instance.records[0],
+                          (size_t)draw->instance.records[1], needed) &&
+           !(request->shared && needed->clauses);
+}
+
+static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *draw)
+{
+    struct csg_chain needed;
+    if (!is_chain(chooser, draw, &needed))
         return -1;
-    const int chain = csg_chain_find(texels, (size_t)draw->instance.records[0],
-                                     (size_t)draw->instance.records[1]);
-    if (chain < 0 || (request->shared && csg_chains[chain].clauses))
-        return -1;
-    if (chooser->common_chain >= 0)
-        return chooser->common_chain;
-    return can_be_chain(chooser, chain) ? chain : -1;
+    return chooser->common_chain >= 0 ? chooser->common_chain : fit_chain(chooser, &needed);
 }
 
 /* One picture does not repay what several chains take to compile or to read from the driver's
@@ -145,16 +151,14 @@ static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *
 static int find_common_chain(const struct csg_chooser *chooser)
 {
     const struct csg_frame *frame = &chooser->renderer->frame;
-    struct csg_chain all = {0};
+    struct csg_chain all = {.planes = CSG_CHAIN_PLANES}, needed;
     for (size_t i = 0; i < frame->draws.num && chooser->request->shared; i++) {
-        const int chain = find_chain(chooser, &frame->draws.data[i]);
-        if (chain < 0)
+        if (!is_chain(chooser, &frame->draws.data[i], &needed))
             continue;
-        all.slots = csg_chains[chain].slots > all.slots ? csg_chains[chain].slots : all.slots;
-        all.quadrics |= csg_chains[chain].quadrics;
+        all.slots = needed.slots > all.slots ? needed.slots : all.slots;
+        all.quadrics |= needed.quadrics;
     }
-    const int chain = all.slots > 0 ? csg_chain_fit(&all) : -1;
-    return chain >= 0 && can_be_chain(chooser, chain) ? chain : -1;
+    return all.slots > 0 ? fit_chain(chooser, &all) : -1;
 }
 
 static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw *draw,
@@ -239,6 +243,9 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
     chooser->direct = direct;
     chooser->max_handed = max_handed(renderer->gl);
     chooser->max_point = max_point(renderer->gl);
+    for (int i = 0; i < CSG_NUM_CHAINS; i++)
+        chooser->may_chain[i] = csg_chain_size(i, direct) <= chooser->max_handed &&
+                                (!request->after_edit || csg_chooser_knows_chain(chooser, i));
     chooser->common_chain = -1;
     chooser->common_chain = find_common_chain(chooser);
     return chooser;

@@ -17,7 +17,8 @@ struct csg_chooser {
     GLuint cells[CSG_NUM_FEATURE_SETS];
     GLuint cpu; /* for what needs double without having it */
     GLuint chains[CSG_NUM_CHAINS];
-    int common_chain; /* that all tiles take which are chains; -1: each its own */
+    bool may_chain[CSG_NUM_CHAINS]; /* which of them may be used */
+    int common_chain;               /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
     uint32_t prepared;       /* the object whose cells' program is there, + 1 */
     uint32_t prepared_whole; /* ... whose programs for tiles and for all of it are */

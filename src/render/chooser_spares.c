@@ -22,7 +22,7 @@ bool csg_chooser_prepare_tiles(struct csg_chooser *chooser)
         return true;
     chooser->tiles_prepared = true;
     for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
-        if (!csg_chooser_chain(chooser, i))
+        if (csg_chain_is_general(i) && !csg_chooser_chain(chooser, i))
             return false;
     return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP,
                               &resolver) != 0;

@@ -7,14 +7,16 @@
 #include <math.h>
 
 const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
-    {.slots = 2, .handed = 2, .colors = true},
-    {.slots = 5, .handed = 5, .colors = true},
-    {.slots = 2, .handed = 2, .quadrics = true, .colors = true, .normals = true},
-    {.slots = 3, .handed = 3, .quadrics = true, .colors = true},
-    {.slots = 5, .handed = 4, .quadrics = true},
-    {.slots = 5, .handed = 5, .colors = true, .clauses = true},
-    {.slots = 3, .handed = 3, .quadrics = true, .colors = true, .clauses = true},
-    {.slots = 5, .handed = 4, .quadrics = true, .clauses = true},
+    {.slots = 2, .handed = 2, .planes = 2, .colors = true},
+    {.slots = 5, .handed = 5, .planes = 2, .colors = true},
+    {2, 2, 1, .quadrics = true, .flat = true, .colors = true, .normals = true},
+    {2, 2, 2, .quadrics = true, .colors = true, .normals = true},
+    {3, 3, 1, .quadrics = true, .flat = true, .colors = true, .normals = true},
+    {3, 3, 2, .quadrics = true, .colors = true},
+    {5, 4, 2, .quadrics = true},
+    {5, 5, 2, .colors = true, .clauses = true},
+    {3, 3, 2, .quadrics = true, .colors = true, .clauses = true},
+    {5, 4, 2, .quadrics = true, .clauses = true},
 };
 
 /* Numbers of normals that shaders/csg/normals.glsl has bits for. */
@@ -32,38 +34,55 @@ static const char numbers[][3] = {"ex", "ey", "ez", "fx", "fy", "fz", "xx", "xy"
                                   "yy", "yz", "hx", "hy", "hz", "qx", "qy", "qz", "rx", "ry",
                                   "rz", "rw", "sx", "sy", "sz", "sw", "tx", "ty", "tz", "ux",
                                   "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"};
-#define NUM_OF_PLANES 15U
-#define NUM_OF_QUADRICS 26U
-#define NUM_OF_COLORS 29U
+#define NUM_NAMES (sizeof numbers / sizeof *numbers)
 
-static bool is_handed(const struct csg_chain *chain, size_t number)
+static bool has_quadric(const struct csg_chain *chain, int slot)
 {
-    return number < NUM_OF_PLANES     ? true
-           : number < NUM_OF_QUADRICS ? chain->quadrics
-           : number < NUM_OF_COLORS   ? chain->colors
-                                      : chain->normals;
+    return chain->quadrics && (slot > 0 || !chain->flat);
 }
 
-/* The numbers that are handed over of each slot. */
+static bool is_handed(const struct csg_chain *chain, int slot, const char *number)
+{
+    switch (*number) {
+    case 'f':
+    case 'y':
+        return chain->planes > 1;
+    case 'q':
+    case 'r':
+    case 's':
+        return has_quadric(chain, slot);
+    case 't':
+        return chain->colors;
+    case 'u':
+    case 'v':
+    case 'w':
+        return chain->normals && has_quadric(chain, slot);
+    default:
+        return true;
+    }
+}
+
+/* The numbers that are handed over of a slot. */
 struct slot {
-    size_t numbers[sizeof numbers / sizeof *numbers], size;
+    const char *numbers[NUM_NAMES];
+    size_t size;
 };
 
-static struct slot find_slot(const struct csg_chain *chain)
+static struct slot find_slot(const struct csg_chain *chain, int i)
 {
     struct slot slot = {.size = 0};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (is_handed(chain, i))
-            slot.numbers[slot.size++] = i;
+    for (size_t j = 0; j < NUM_NAMES; j++)
+        if (is_handed(chain, i, numbers[j]))
+            slot.numbers[slot.size++] = numbers[j];
     return slot;
 }
 
 size_t csg_chain_handed(const struct csg_chain *chain)
 {
-    const size_t size = NUM_OF_PLANES + (chain->quadrics ? NUM_OF_QUADRICS - NUM_OF_PLANES : 0) +
-                        (chain->colors ? NUM_OF_COLORS - NUM_OF_QUADRICS : 0) +
-                        (chain->normals ? sizeof numbers / sizeof *numbers - NUM_OF_COLORS : 0);
-    return (size * (size_t)chain->handed + 3) / 4;
+    size_t num = 0;
+    for (int i = 0; i < chain->handed; i++)
+        num += find_slot(chain, i).size;
+    return (num + 3) / 4;
 }
 
 struct csg_chain csg_chain_of(int i, bool direct)
@@ -108,39 +127,46 @@ static bool is_link(const float *texels, const float *head, int slot, int64_t ra
            rank_of(texels, head) >= rank && (slot > 0 || !(flags & CSG_RECORD_NEGATED));
 }
 
-int csg_chain_find(const float *texels, size_t begin, size_t end)
+bool csg_chain_find(const float *texels, size_t begin, size_t end, struct csg_chain *needed)
 {
     const float *last = texels + 4 * end;
     struct csg_chain found = {.clauses = (int)texels[4 * begin + 2] >= CSG_RECORD_CLAUSE};
     int64_t rank = 0;
     for (const float *head = texels + 4 * begin; head < last;
          head += 4 * (1 + csg_record_terms(head))) {
-        const int flags = (int)head[2];
+        const int flags = (int)head[2], planes = (int)fmaxf(head[0], head[1]);
         if (found.clauses && flags & CSG_RECORD_POP)
             continue;
         if (!fits_slot(head) || (!found.clauses && !is_link(texels, head, found.slots, rank)))
-            return -1;
+            return false;
         rank = rank_of(texels, head);
+        found.flat |= found.slots == 0 && !(flags & CSG_RECORD_QUADRIC);
         found.slots++;
+        found.planes = planes > found.planes ? planes : found.planes;
         found.quadrics |= flags & CSG_RECORD_QUADRIC;
     }
-    return csg_chain_fit(&found);
+    *needed = found;
+    return true;
 }
 
-int csg_chain_fit(const struct csg_chain *chain)
+bool csg_chain_fits(int i, const struct csg_chain *needed)
 {
-    for (int i = 0; i < CSG_NUM_CHAINS; i++)
-        if (chain->slots <= csg_chains[i].slots && chain->quadrics == csg_chains[i].quadrics &&
-            chain->clauses == csg_chains[i].clauses)
-            return i;
-    return -1;
+    const struct csg_chain *chain = &csg_chains[i];
+    return needed->slots <= chain->slots && needed->planes <= chain->planes &&
+           needed->quadrics == chain->quadrics && needed->clauses == chain->clauses &&
+           (needed->flat || !chain->flat);
+}
+
+bool csg_chain_is_general(int i)
+{
+    return csg_chains[i].planes == CSG_CHAIN_PLANES && !csg_chains[i].flat;
 }
 
 /* Variables of a slot. */
 static void add_slot(struct csg_text *text, const struct csg_chain *chain, int i)
 {
     csg_text_add(text, "    vec4 e%d, f%d, x%d, y%d;\n    vec3 h%d;\n", i, i, i, i, i);
-    if (chain->quadrics)
+    if (has_quadric(chain, i))
         csg_text_add(text, "    vec4 q%d, r%d, s%d;\n", i, i, i);
     if (chain->colors)
         csg_text_add(text, "    vec3 t%d;\n", i);
@@ -155,7 +181,7 @@ static void add_reading(struct csg_text *text, const struct csg_chain *chain, in
     csg_text_add(text,
                  "    bool b%d;\n    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n",
                  i, i, i, i, i, i, i);
-    if (chain->quadrics)
+    if (has_quadric(chain, i))
         csg_text_add(text, "    csg_read_slot_quadric(p, b%d, h%d, q%d, r%d, s%d);\n", i, i, i, i,
                      i);
     if (chain->colors)
@@ -167,12 +193,15 @@ static void add_reading(struct csg_text *text, const struct csg_chain *chain, in
 /* Number j of all that are handed over: a variable's component. */
 static void add_number(struct csg_text *text, const struct csg_chain *chain, size_t j)
 {
-    const struct slot slot = find_slot(chain);
-    const char *name = numbers[slot.numbers[j % slot.size]];
-    if (j / slot.size < (size_t)chain->handed)
-        csg_text_add(text, "%c%zu.%c", name[0], j / slot.size, name[1]);
-    else
-        csg_text_add(text, "0.0");
+    for (int i = 0; i < chain->handed; i++) {
+        const struct slot slot = find_slot(chain, i);
+        if (j < slot.size) {
+            csg_text_add(text, "%c%d.%c", slot.numbers[j][0], i, slot.numbers[j][1]);
+            return;
+        }
+        j -= slot.size;
+    }
+    csg_text_add(text, "0.0");
 }
 
 static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
@@ -203,16 +232,18 @@ static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
 /* What the vertex stage has handed over, and what it has not. */
 static void add_slots(struct csg_text *text, const struct csg_chain *chain)
 {
-    const size_t size = find_slot(chain).size;
+    size_t at = 0;
     for (int i = 0; i < chain->handed; i++) {
         add_slot(text, chain, i);
-        for (size_t at = size * (size_t)i; at < size * ((size_t)i + 1); at++) {
+        for (const size_t end = at + find_slot(chain, i).size; at < end; at++) {
             csg_text_add(text, "    ");
             add_number(text, chain, at);
             csg_text_add(text, " = csg_handed[%zu].%c;\n", at / 4, "xyzw"[at % 4]);
         }
-        if (chain->quadrics)
+        if (has_quadric(chain, i))
             csg_text_add(text, "    q%d.w = h%d.x;\n", i, i);
+        else if (chain->normals)
+            csg_text_add(text, "    u%d = v%d = w%d = vec3(0.0);\n", i, i, i);
     }
     if (chain->slots > chain->handed)
         csg_text_add(text, "    int p = csg_rest;\n");
@@ -223,9 +254,12 @@ static void add_slots(struct csg_text *text, const struct csg_chain *chain)
 /* Where the ray is inside of the slot's solid. */
 static void add_span(struct csg_text *text, const struct csg_chain *chain, int i)
 {
-    csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i, i,
-                 i);
-    if (chain->quadrics)
+    if (chain->planes > 1)
+        csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i,
+                     i, i);
+    else
+        csg_text_add(text, "    csg_span l%d = csg_chain_pair(e%d, x%d, d);\n", i, i, i);
+    if (has_quadric(chain, i))
         csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i, i,
                      i, i);
 }

@@ -59,14 +59,16 @@ enum csg_feature {
 struct csg_chain {
     int slots;            /* solids at most */
     int handed;           /* ... that the vertex stage reads; fragments read the others */
+    int planes;           /* of each solid at most, by which rays enter, or leave */
     bool quadrics;        /* whether they may have one */
+    bool flat;            /* ... but not the first: what holes are cut out of */
     bool colors, normals; /* there is room for the solids' colours, and the terms of their quadrics'
                            * normals */
     bool clauses;         /* unions of some of them, or intersections of a union: see
                            * shaders/csg/clauses.glsl */
 };
 
-#define CSG_NUM_CHAINS 8
+#define CSG_NUM_CHAINS 10
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
 /* Chain i as programs have it: those that write no colours ask for none. */
@@ -81,11 +83,14 @@ size_t csg_chain_handed(const struct csg_chain *chain);
 #define CSG_SHARED_FEW 16
 #define CSG_SHARED_MANY 27
 
-/* The smallest chain that the records at [begin, end) of a frame's texels fit; -1: none. */
-int csg_chain_find(const float *texels, size_t begin, size_t end);
+/* What a chain needs for the records at [begin, end) of a frame's texels; false: there is none. */
+bool csg_chain_find(const float *texels, size_t begin, size_t end, struct csg_chain *needed);
 
-/* The smallest chain that has so many slots, and the same of quadrics and clauses; -1: none. */
-int csg_chain_fit(const struct csg_chain *chain);
+/* Whether chain i has it. The smallest ones come first. */
+bool csg_chain_fits(int i, const struct csg_chain *needed);
+
+/* Whether what chain i draws is drawn by no other one. */
+bool csg_chain_is_general(int i);
 
 struct csg_text {
     char *data; /* zero-terminated; NULL when memory ran out */
