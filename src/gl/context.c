@@ -154,6 +154,7 @@ void csg_gl_destroy(struct csg_gl *gl)
     struct csg_gl_context *context = (struct csg_gl_context *)gl;
     assert(context->depth == 0);
     csg_gl_turn_begin();
+    csg_gl_current_finish(&context->saved);
     gl->platform->destroy(context);
     csg_gl_turn_end();
 }

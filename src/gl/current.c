@@ -3,12 +3,14 @@
 
 #include <stddef.h>
 
+#include "gl/library.h"
+
 /* The bound API is a state of the thread as well, and csgcast binds desktop OpenGL. */
 static void save_egl(struct csg_gl_current *current)
 {
-    if (!csg_egl_api_find(&current->egl.api))
-        return;
     const struct csg_egl_api *egl = &current->egl.api;
+    if (!egl->library)
+        return;
     current->egl.bound_api = egl->QueryAPI();
     current->egl.context = egl->GetCurrentContext();
     if (current->egl.context == EGL_NO_CONTEXT)
@@ -28,14 +30,13 @@ static void restore_egl(struct csg_gl_current *current)
     if (current->egl.context != EGL_NO_CONTEXT)
         egl->MakeCurrent(current->egl.display, current->egl.draw, current->egl.read,
                          current->egl.context);
-    csg_egl_api_close(&current->egl.api);
 }
 
 static void save_glx(struct csg_gl_current *current)
 {
-    if (!csg_glx_api_find(&current->glx.api))
-        return;
     const struct csg_glx_api *glx = &current->glx.api;
+    if (!glx->library)
+        return;
     current->glx.context = glx->GetCurrentContext();
     if (!current->glx.context)
         return;
@@ -53,7 +54,6 @@ static void restore_glx(struct csg_gl_current *current)
     if (current->glx.context)
         glx->MakeContextCurrent(current->glx.display, current->glx.draw, current->glx.read,
                                 current->glx.context);
-    csg_glx_api_close(&current->glx.api);
 }
 
 /* OSMesa draws into the caller's memory: what is in flight has to arrive there. */
@@ -66,9 +66,9 @@ static void finish_osmesa(const struct csg_osmesa_api *osmesa)
 
 static void save_osmesa(struct csg_gl_current *current)
 {
-    if (!csg_osmesa_api_find(&current->osmesa.api))
-        return;
     const struct csg_osmesa_api *osmesa = &current->osmesa.api;
+    if (!osmesa->library)
+        return;
     current->osmesa.context = osmesa->GetCurrentContext();
     if (!current->osmesa.context)
         return;
@@ -89,7 +89,19 @@ static void restore_osmesa(struct csg_gl_current *current)
         osmesa->MakeCurrent(current->osmesa.context, current->osmesa.buffer,
                             (GLenum)current->osmesa.type, current->osmesa.width,
                             current->osmesa.height);
-    csg_osmesa_api_close(&current->osmesa.api);
+}
+
+/* The process may have loaded them since. */
+static void find_apis(struct csg_gl_current *current)
+{
+    const unsigned long long generation = csg_library_generation();
+    if (generation && generation == current->generation)
+        return;
+    csg_gl_current_finish(current);
+    csg_egl_api_find(&current->egl.api);
+    csg_glx_api_find(&current->glx.api);
+    csg_osmesa_api_find(&current->osmesa.api);
+    current->generation = generation;
 }
 
 /*
@@ -98,7 +110,7 @@ static void restore_osmesa(struct csg_gl_current *current)
  */
 void csg_gl_current_save(struct csg_gl_current *current)
 {
-    *current = (struct csg_gl_current){0};
+    find_apis(current);
     save_egl(current);
     save_glx(current);
     save_osmesa(current);
@@ -109,4 +121,11 @@ void csg_gl_current_restore(struct csg_gl_current *current)
     restore_osmesa(current);
     restore_glx(current);
     restore_egl(current);
+}
+
+void csg_gl_current_finish(struct csg_gl_current *current)
+{
+    csg_egl_api_close(&current->egl.api);
+    csg_glx_api_close(&current->glx.api);
+    csg_osmesa_api_close(&current->osmesa.api);
 }

@@ -15,6 +15,7 @@
 #include "gl/osmesa_api.h"
 
 struct csg_gl_current {
+    unsigned long long generation; /* of the process's libraries, when the APIs were looked for */
     struct {
         struct csg_egl_api api; /* api.library is NULL where EGL is not loaded */
         EGLenum bound_api;
@@ -36,8 +37,12 @@ struct csg_gl_current {
     } osmesa;
 };
 
-/* Afterwards nothing is current on this thread. Needs one restore. */
+/* Afterwards nothing is current on this thread. Needs one restore; *current begins as zeros and may
+ * be saved into again then. */
 void csg_gl_current_save(struct csg_gl_current *current);
 void csg_gl_current_restore(struct csg_gl_current *current);
+
+/* Lets go of the APIs, when nothing is saved. */
+void csg_gl_current_finish(struct csg_gl_current *current);
 
 #endif

@@ -231,10 +231,11 @@ static struct csg_gl_context *create(const struct csg_log *log, struct csg_gl_re
         csg_gl_report_add(report, " libEGL.so.1 is missing or too old.");
         return NULL;
     }
-    struct csg_gl_current current;
+    struct csg_gl_current current = {0};
     csg_gl_current_save(&current);
     struct csg_gl_context *context = create_with(&egl, log, report);
     csg_gl_current_restore(&current);
+    csg_gl_current_finish(&current);
     csg_egl_api_close(&egl);
     return context;
 }

@@ -16,6 +16,10 @@ void *csg_library_open(const char *const *names);
 /* The same, but only where the process has loaded the library already. */
 void *csg_library_find(const char *const *names);
 
+/* Another number than before where the process has loaded libraries since: looking for them by name
+ * takes file operations for each name. 0: not known. */
+unsigned long long csg_library_generation(void);
+
 /* NULL is no library. */
 void csg_library_close(void *library);
 

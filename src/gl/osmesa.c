@@ -64,12 +64,13 @@ static struct csg_gl_context *create(const struct csg_log *log, struct csg_gl_re
         destroy(&osmesa->base);
         return NULL;
     }
-    struct csg_gl_current current;
+    struct csg_gl_current current = {0};
     csg_gl_current_save(&current);
     const bool ok = init(osmesa, log, report);
     if (!ok)
         destroy(&osmesa->base);
     csg_gl_current_restore(&current);
+    csg_gl_current_finish(&current);
     return ok ? &osmesa->base : NULL;
 }
 

@@ -217,6 +217,10 @@ int main(void)
 {
     struct csg_gl *egl = csg_gl_create(CSGCAST_BACKEND_EGL, NULL);
     struct csg_gl *other_egl = csg_gl_create(CSGCAST_BACKEND_EGL, NULL);
+    if (egl) {
+        test_drawing(egl);
+        test_osmesa_kept(egl); /* which the process loads only now */
+    }
     struct csg_gl *osmesa = csg_gl_create(CSGCAST_BACKEND_OSMESA, NULL);
     struct csg_gl *automatic = csg_gl_create(CSGCAST_BACKEND_AUTO, NULL);
     check(egl && other_egl, "egl", egl ? egl->name : "no context");
