@@ -352,26 +352,66 @@ static uint32_t count_ring(const struct triangulation *t, uint32_t first)
     return num;
 }
 
+/* Rounds in which fewer than one corner in so many is cut are the last ones. */
+#define SCARCE 16
+
+/* A walk round a ring from ear to ear. */
+struct walk {
+    uint32_t at, num;    /* a corner of the ring, and how many there are */
+    uint32_t tried;      /* since the last ear */
+    uint32_t asked, cut; /* in this round, of which begun had as many corners as */
+    uint32_t begun;
+    bool is_scarce; /* ears are */
+};
+
+/*
+ * Rounder triangles come of it where no two neighbours are ears in one round. But in a strip that
+ * winds about, only its two ends have ears in the end, and each of them would take a round: there
+ * the walk stays where it cut, as an ear makes no other corners than its neighbours ears.
+ */
+static bool cut_ear(struct triangulation *t, struct walk *walk)
+{
+    const struct corner b = *corner_of(t, walk->at);
+    const bool ok = cut_corner(t, walk->at);
+    walk->at = walk->is_scarce ? b.before : corner_of(t, b.after)->after;
+    walk->num--;
+    walk->cut++;
+    walk->tried = 0;
+    return ok;
+}
+
+static void begin_round(struct walk *walk)
+{
+    walk->is_scarce = walk->is_scarce || walk->cut < walk->begun / SCARCE;
+    walk->begun = walk->num;
+    walk->asked = walk->cut = 0;
+}
+
 /* A ring without ears, which rounding may leave, is cut anywhere: the triangles still close it. */
+static bool is_cut_next(const struct triangulation *t, const struct walk *walk)
+{
+    return walk->num == 3 || is_ear(t, walk->at) || walk->tried > 2 * walk->num ||
+           (walk->tried > walk->num && turn_at(t, walk->at) > 0);
+}
+
 static bool cut_ring(struct triangulation *t, uint32_t first)
 {
-    uint32_t num = count_ring(t, first), i = first, tried = 0;
+    const uint32_t num = count_ring(t, first);
+    struct walk walk = {.at = first, .num = num, .begun = num};
     bool ok = fill_grid(t, first, num);
-    while (num > 2 && ok) {
-        if (t->grid.list.num >= 2 * (size_t)num && !fill_grid(t, i, num))
+    while (walk.num > 2 && ok) {
+        if (t->grid.list.num >= 2 * (size_t)walk.num && !fill_grid(t, walk.at, walk.num))
             return false;
-        const uint32_t after = corner_of(t, i)->after;
-        if (num == 3 || is_ear(t, i) || tried > 2 * num || (tried > num && turn_at(t, i) > 0)) {
-            ok = cut_corner(t, i);
-            num--;
-            tried = 0;
-            i = corner_of(t, after)->after; /* not its neighbour: rounder triangles */
+        if (++walk.asked > walk.begun)
+            begin_round(&walk);
+        if (is_cut_next(t, &walk)) {
+            ok = cut_ear(t, &walk);
         } else {
-            tried++;
-            i = after;
+            walk.tried++;
+            walk.at = corner_of(t, walk.at)->after;
         }
     }
-    corner_of(t, i)->is_cut = corner_of(t, corner_of(t, i)->after)->is_cut = true;
+    corner_of(t, walk.at)->is_cut = corner_of(t, corner_of(t, walk.at)->after)->is_cut = true;
     return ok;
 }
 

@@ -6,6 +6,7 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "check.h"
 #include "dice.h"
@@ -189,6 +190,47 @@ static void test_random(void)
 
 /* ---- shapes with known answers ------------------------------------------------------------ */
 
+static void add_winding(struct csg_drawing *drawing, int num, int i, double inwards)
+{
+    const double angle = 0.02 * i;
+    const double radius = 10 + angle - inwards;
+    if (!csg_drawing_add_point(drawing, radius * cos(angle), radius * sin(angle)) || i >= num)
+        abort();
+}
+
+/* A strip that winds about 160 times: of 100,000 corners those that are ears are soon cut, and then
+ * only the strip's ends are. A round for each of them would take a hundred times as long. */
+static void test_winding(void)
+{
+    const int num = 50000;
+    struct csg_drawing drawing = {0};
+    struct csg_triangles triangles = {0};
+    if (!csg_drawing_add_figure(&drawing, 0) || !csg_drawing_add_contour(&drawing))
+        abort();
+    for (int i = 0; i < num; i++)
+        add_winding(&drawing, num, i, 0);
+    for (int i = num; i-- > 0;)
+        add_winding(&drawing, num, i, 3);
+    const clock_t start = clock();
+    CHECK(csg_figure_triangulate(&drawing, drawing.figures.data, &triangles), "no memory");
+    const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    CHECK(triangles.corners.num == 3 * (2 * (size_t)num - 2), "%zu corners", triangles.corners.num);
+    double sum = 0;
+    for (size_t i = 0; i < triangles.corners.num; i += 3) {
+        const struct csg_vec2 a = drawing.points.data[triangles.corners.data[i]];
+        const struct csg_vec2 b = drawing.points.data[triangles.corners.data[i + 1]];
+        const struct csg_vec2 c = drawing.points.data[triangles.corners.data[i + 2]];
+        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        CHECK(twice > 0, "triangle %zu looks down: %g", i / 3, twice);
+        sum += 0.5 * twice;
+    }
+    const double area = 0.5 * csg_contour_twice_area(&drawing, drawing.contours.data);
+    CHECK(fabs(sum - area) < 1e-9 * area, "triangles of %g, outline %g", sum, area);
+    CHECK(seconds < 2, "%g s", seconds);
+    free(triangles.corners.data);
+    csg_drawing_finish(&drawing);
+}
+
 static void add_points(struct csg_drawing *drawing, const double (*points)[2], int num)
 {
     if (drawing->figures.num == 0 && !csg_drawing_add_figure(drawing, 0))
@@ -282,6 +324,7 @@ static void test_hull(void)
 int main(void)
 {
     test_random();
+    test_winding();
     test_pieces();
     test_offset();
     test_hull();
