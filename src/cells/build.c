@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "cells/balls.h"
 #include "cells/cells.h"
 #include "csg/side.h"
 
@@ -12,6 +13,11 @@
 /* Literals of a cell that are never worth a cut. */
 #define SMALL_CELL 4
 #define SMALL_BUNCHED 5
+
+/* Of fewer literals balls are not compared, nor where a cut spared a good part of them: balls that
+ * do not overlap are soon told apart. */
+#define MANY_LITERALS 64
+#define OVERLAPPING_SHARE 0.7
 
 static uint8_t side_of(const struct csg_cell_builder *builder, uint32_t leaf,
                        const struct csg_box *around)
@@ -40,6 +46,8 @@ static bool fold_chain(struct csg_cell_builder *builder, const struct csg_box *a
         }
     }
     left->data[0].end = (uint32_t)left->num;
+    if (left->num > MANY_LITERALS && (double)left->num > OVERLAPPING_SHARE * (double)tree->num)
+        csg_balls_drop(builder->scene, left, around, builder->margin);
     return true;
 }
 

@@ -4,9 +4,9 @@
  *
  * Draws scenes in cells and by the loop over whole trees: leaf, depth and normal of every pixel
  * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
- * holes, boxes through one point, flush holes, nested cubes in one place, and random trees, on a
- * grid (faces coincide) and off it. Then scenes whose solids are moved about, as their cells keep
- * what an edit does not change.
+ * holes, boxes through one point, flush holes, balls that overlap, nested cubes in one place, and
+ * random trees, on a grid (faces coincide) and off it. Then scenes whose solids are moved about, as
+ * their cells keep what an edit does not change.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,6 +84,25 @@ static char *rods(void)
                        : "translate([%d,%d,%d]) cube([2,2,%d]);\n",
                  2 * (i % 15) - 14, 2 * (i / 15) - 8, 4 * (i % 4), 4 + 4 * (i % 3),
                  0.5 * (1 + i % 3));
+    text_put(&text, "}\n");
+    return text.data;
+}
+
+/* Balls of which few bound what all of them have in common, less balls that are in each other; each
+ * has a twin that is too near for it to be told which of both matters. */
+static char *balls(void)
+{
+    struct text text = {0};
+    text_put(&text, "difference() { intersection() {\n");
+    for (int i = 0; i < 300; i++)
+        text_put(&text, "translate([%.17g,%.17g,%.17g]) sphere(%.17g);\n",
+                 0.3 * (i / 2 * 17 % 11) - 1.5, 0.3 * (i / 2 * 29 % 13) - 1.8,
+                 0.2 * (i / 2 % 5) + 1e-7 * (i % 2), 10 + 0.05 * (i / 2 * 23 % 40));
+    text_put(&text, "}\n");
+    for (int i = 0; i < 300; i++)
+        text_put(&text, "translate([%.17g,%.17g,%.17g]) sphere(%.17g);\n", 8 - 0.5 * (i / 2 % 9),
+                 0.5 * (i / 2 * 5 % 8) - 7, 3 + 0.4 * (i / 2 % 6) + 1e-7 * (i % 2),
+                 1 + 0.1 * (i / 2 * 31 % 30));
     text_put(&text, "}\n");
     return text.data;
 }
@@ -197,10 +216,12 @@ int main(int argc, char **argv)
     ok &= check(renderer, "plate", plate(), true);
     ok &= check(renderer, "star", star(), true);
     ok &= check(renderer, "rods", rods(), true);
+    ok &= check(renderer, "balls", balls(), true);
     ok &= check(renderer, "nest", nest(), true);
     ok &= check_edits(renderer, "edited sponge", sponge());
     ok &= check_edits(renderer, "edited plate", plate());
     ok &= check_edits(renderer, "edited rods", rods());
+    ok &= check_edits(renderer, "edited balls", balls());
     struct random_state random = {2026};
     for (int i = 0; i < atoi(argv[2]); i++) {
         const struct random_params tree = {2 + i % 7, 8 + i * 11 % 60, i % 2 ? 1 : 0, i % 3 == 0};
