@@ -2,9 +2,9 @@
 #include "csg/own_faces.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "csg/carrier_builder.h"
+#include "csg/overlaps.h"
 
 struct csg_plane csg_own_plane(const struct csg_surface *surface, uint32_t face,
                                const struct csg_map *inverse)
@@ -21,51 +21,47 @@ static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b)
            a->offset == b->offset;
 }
 
-/* No two faces lie upon each other: only those that follow each other share their plane. */
-static void fill_simple(struct csg_surface *surface)
+/* Of faces that lie upon no other one only those that follow each other share their plane. */
+static void fill_own(struct csg_surface *surface, const uint8_t *near, uint32_t i)
 {
     const struct csg_plane *planes = surface->planes.data;
-    for (uint32_t i = 0; i < surface->planes.num; i++)
-        surface->own[i] = i > 0 && is_same_plane(&planes[i - 1], &planes[i])
-                              ? surface->own[i - 1]
-                              : (struct csg_own_face){i, false};
+    surface->own[i] = i > 0 && !near[i - 1] && is_same_plane(&planes[i - 1], &planes[i])
+                          ? surface->own[i - 1]
+                          : (struct csg_own_face){i, false};
 }
 
-/* Of all faces of the surface; and which most of a large one are, so that nobody looks for what
- * they lie upon. */
-static bool start_index(struct csg_carrier_builder *builder, const struct csg_surface *surface)
+/* Of the faces that are near others; and which of them, where they are many, lie upon nothing. */
+static bool start_index(struct csg_carrier_builder *builder, const struct csg_surface *surface,
+                        uint8_t *near)
 {
-    const size_t num = surface->planes.num;
-    uint8_t *near = malloc(num + 1);
-    uint32_t face_begin[2] = {0, (uint32_t)num};
-    if (!near)
-        return false;
-    memset(near, 1, num);
+    uint32_t face_begin[2] = {0, (uint32_t)surface->planes.num};
     builder->remote.near = &near;
     builder->carriers->face_begin = face_begin;
     const bool ok = csg_carrier_outline(builder) && csg_carrier_start_index(builder) &&
                     csg_loners_find(&builder->loners, builder);
     builder->carriers->face_begin = NULL;
     builder->remote.near = NULL;
-    free(near);
     return ok;
 }
 
 static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *builder,
-                      const struct csg_shape *shape)
+                      const struct csg_shape *shape, uint8_t *near)
 {
-    uint32_t *ranked = csg_carrier_rank_faces(surface->extents, surface->planes.num);
-    uint32_t *firsts = malloc((surface->planes.num + 1) * sizeof *firsts); /* by carrier */
-    bool ok = ranked && firsts && start_index(builder, surface);
-    for (size_t i = 0; i < surface->planes.num && ok; i++) {
+    const size_t num = surface->planes.num;
+    uint32_t *ranked = csg_carrier_rank_faces(surface->extents, num);
+    uint32_t *firsts = malloc((num + 1) * sizeof *firsts); /* by carrier */
+    bool ok = ranked && firsts && start_index(builder, surface, near);
+    for (size_t i = 0; i < num && ok; i++) {
         const uint32_t plane = ranked[i];
+        if (!near[plane])
+            continue;
         const struct csg_leaf_extent extent =
             csg_carrier_face_extent(&surface->extents[plane], shape->rounding);
-        const size_t num = builder->carriers->num_planes;
+        const size_t num_carriers = builder->carriers->num_planes;
         struct csg_face face;
         ok = csg_carrier_assign_plane(builder, &surface->planes.data[plane], &extent, NULL,
                                       csg_is_lone_plane(builder, plane), &face);
-        if (ok && builder->carriers->num_planes > num)
+        if (ok && builder->carriers->num_planes > num_carriers)
             firsts[face.carrier] = plane;
         if (ok)
             surface->own[plane] = (struct csg_own_face){firsts[face.carrier], face.flipped};
@@ -76,7 +72,7 @@ static bool fill_from(struct csg_surface *surface, struct csg_carrier_builder *b
 }
 
 /* As the faces of a scene that has nothing but the surface. */
-static bool fill_compared(struct csg_surface *surface, const struct csg_box *box)
+static bool fill_compared(struct csg_surface *surface, const struct csg_box *box, uint8_t *near)
 {
     bool wanted = true;
     struct csg_leaf leaf = {
@@ -85,11 +81,35 @@ static bool fill_compared(struct csg_surface *surface, const struct csg_box *box
     const struct csgcast_scene scene = {.leaves = &leaf, .num_leaves = 1, .num_threads = 1};
     struct csg_carrier_builder builder = {
         .scene = &scene, .wanted = &wanted, .carriers = calloc(1, sizeof *builder.carriers)};
-    const bool ok = builder.carriers && fill_from(surface, &builder, &leaf.shape);
+    const bool ok = builder.carriers && fill_from(surface, &builder, &leaf.shape, near);
     csg_carriers_destroy(builder.carriers);
     builder.carriers = NULL;
     builder.wanted = NULL;
     csg_carrier_builder_finish(&builder);
+    return ok;
+}
+
+/* The most of any face. */
+static double tolerance_of(const struct csg_surface *surface, const struct csg_box *box)
+{
+    const struct csg_leaf_extent extent = {box->lo, 0, csg_length(csg_sub(box->hi, box->lo)),
+                                           surface->rounding};
+    return csg_carrier_tolerance(&extent, surface->rounding);
+}
+
+static bool fill(struct csg_surface *surface, const struct csg_box *box, int num_threads)
+{
+    const size_t num = surface->planes.num;
+    uint8_t *near = calloc(num + 1, sizeof *near);
+    bool ok = near && (surface->is_simple ||
+                       csg_overlaps_find(surface, tolerance_of(surface, box), num_threads, near));
+    bool is_any = false;
+    for (uint32_t i = 0; i < num && ok; i++) {
+        fill_own(surface, near, i);
+        is_any |= near[i];
+    }
+    ok = ok && (!is_any || fill_compared(surface, box, near));
+    free(near);
     return ok;
 }
 
@@ -100,15 +120,11 @@ static void count(struct csg_surface *surface)
         surface->num_own += surface->own[i].plane == i;
 }
 
-bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box)
+bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box, int num_threads)
 {
     surface->own = calloc(surface->planes.num + 1, sizeof *surface->own);
-    bool ok = surface->own != NULL;
-    if (ok && surface->is_simple)
-        fill_simple(surface);
-    else if (ok)
-        ok = fill_compared(surface, box);
-    if (ok)
-        count(surface);
-    return ok;
+    if (!surface->own || !fill(surface, box, num_threads))
+        return false;
+    count(surface);
+    return true;
 }

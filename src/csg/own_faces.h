@@ -11,9 +11,9 @@
 #include "mesh/surface.h"
 #include "solids/shape.h"
 
-/* Fills own and num_own of a surface whose extents are there. Asks for no triangle. false: out of
+/* Fills own and num_own of a surface whose extents and hierarchy are there. false: out of
  * memory. */
-bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box);
+bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box, int num_threads);
 
 /* The plane of one face in a place, whose inverse is given. */
 struct csg_plane csg_own_plane(const struct csg_surface *surface, uint32_t face,

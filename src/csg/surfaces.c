@@ -6,11 +6,12 @@
 #include "common/parallel.h"
 #include "csg/own_faces.h"
 
-/* A surface, its box, and whether its parts went well. */
+/* A surface, its box, and whether all went well. */
 struct job {
     struct csg_surface *surface;
     struct csg_box box;
-    bool measured, built, compared;
+    int num_threads;
+    bool ok;
 };
 
 static void measure(void *user, size_t task)
@@ -19,18 +20,13 @@ static void measure(void *user, size_t task)
     job->box = csg_surface_box(job->surface);
     free(job->surface->extents); /* of an attempt that failed */
     job->surface->extents = csg_surface_extents(job->surface, &csg_map_identity);
-    job->measured = job->surface->extents != NULL;
 }
 
-/* The hierarchy puts the triangles in its order; the faces, which take longer, do not ask for them.
- */
 static void build(void *user, size_t task)
 {
-    struct job *job = (struct job *)user + task / 2;
-    if (task % 2)
-        job->built = csg_surface_build(job->surface);
-    else
-        job->compared = job->measured && csg_own_faces_find(job->surface, &job->box);
+    struct job *job = (struct job *)user + task;
+    job->ok = job->surface->extents && csg_surface_build(job->surface) &&
+              csg_own_faces_find(job->surface, &job->box, job->num_threads);
 }
 
 static int compare(const void *a, const void *b)
@@ -46,7 +42,7 @@ static size_t collect(const struct csgcast_scene *scene, struct job *jobs)
     for (size_t i = 0; i < scene->num_leaves; i++) {
         struct csg_surface *surface = scene->leaves[i].shape.surface;
         if (surface && !surface->own)
-            jobs[num++] = (struct job){.surface = surface};
+            jobs[num++] = (struct job){.surface = surface, .num_threads = scene->num_threads};
     }
     if (num > 1)
         qsort(jobs, num, sizeof *jobs, compare);
@@ -74,10 +70,10 @@ bool csg_surfaces_build(struct csgcast_scene *scene)
     bool ok = true;
     if (num > 0) {
         csg_parallel(scene->num_threads, num, measure, jobs);
-        csg_parallel(scene->num_threads, 2 * num, build, jobs);
+        csg_parallel(scene->num_threads, num, build, jobs);
     }
     for (size_t i = 0; i < num; i++)
-        ok = ok && jobs[i].built && jobs[i].compared;
+        ok = ok && jobs[i].ok;
     free(jobs);
     return ok;
 }
