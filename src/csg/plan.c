@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "csg/program.h"
+#include "csg/structure.h"
 
 #include <stdlib.h>
 
@@ -41,6 +41,8 @@ static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
             return false;
     }
     plan->begin[objects->num] = (uint32_t)plan->program.num;
+    if (!csg_plan_count_structures(plan, scene))
+        return false;
     for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++) {
         plan->has_surface |= scene->leaves[i].shape.surface != NULL;
         plan->has_rings |= scene->leaves[i].kind == CSG_KIND_ROTATE_EXTRUDE;
@@ -66,5 +68,6 @@ void csg_plan_destroy(struct csg_plan *plan)
         return;
     free(plan->program.data);
     free(plan->begin);
+    free(plan->structures);
     free(plan);
 }

@@ -31,6 +31,9 @@ bool csg_program_append(struct csg_program *program, const struct csgcast_scene 
 /* Members of crowds (crowd/crowd.h) have at most so many planes, and are no surfaces. */
 enum { CSG_PLAN_MAX_PLANES = 6, CSG_PLAN_MAX_LEFTS = 2 * (CSG_PLAN_MAX_PLANES + 1) };
 
+/* Different structures of several solids that are counted. */
+enum { CSG_PLAN_MAX_STRUCTURES = 64 };
+
 /* The steps of all objects of a scene. */
 struct csg_plan {
     struct csg_program program;
@@ -39,6 +42,8 @@ struct csg_plan {
      * ones with a quadric or without and each number of planes. */
     uint32_t lefts[CSG_PLAN_MAX_LEFTS];
     size_t num_lefts;
+    uint8_t *structures; /* per object, see csg/structure.h */
+    bool is_common[CSG_PLAN_MAX_STRUCTURES];
     bool has_surface, has_rings; /* ... and whether some leaf is one, or may be part of a stack */
 };
 

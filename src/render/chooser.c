@@ -5,10 +5,13 @@
 
 #include "render/chooser_parts.h"
 
-/* Structures of more steps are drawn in tiles where steps times pixels are more than this: a tile
- * leaves out most of the solids, but takes as long to make as some hundred pixels. */
-#define MANY_STEPS 10
-#define MAX_STEP_PIXELS 3e5
+/* Objects of several solids are drawn in tiles where steps times pixels are more than this: a tile
+ * leaves out most of the solids, and all where it is empty, but takes as long to make as some
+ * hundred pixels. */
+#define MAX_STEP_PIXELS 1e5
+
+/* The same for objects whose structure has no program of its own, which the loop draws. */
+#define MAX_LOOP_STEP_PIXELS 4e3
 
 struct csg_structure csg_chooser_structure(const struct csg_request *request, uint32_t object)
 {
@@ -17,10 +20,15 @@ struct csg_structure csg_chooser_structure(const struct csg_request *request, ui
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
+static bool is_common(const struct csg_request *request, size_t object)
+{
+    return csg_plan_is_common(request->scene->plan, object);
+}
+
 /* Whether a small structure is drawn in one piece only where it covers few pixels. */
 bool csg_chooser_may_tile(const struct csg_request *request, const struct csg_structure *structure)
 {
-    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
+    return request->resolver < 0 && !request->textbook && structure->num > 1;
 }
 
 /* What a draw's program must do because of this view. */
@@ -46,8 +54,9 @@ bool csg_draws_whole(size_t object, double area, const void *user)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
-    return csg_structure_is_small(&structure) && (!csg_chooser_may_tile(request, &structure) ||
-                                                  (double)structure.num * area <= MAX_STEP_PIXELS);
+    const double most = is_common(request, object) ? MAX_STEP_PIXELS : MAX_LOOP_STEP_PIXELS;
+    return csg_structure_is_small(&structure) &&
+           (!csg_chooser_may_tile(request, &structure) || (double)structure.num * area <= most);
 }
 
 /* Straight-line code takes half of the planes of paired leaves for exits, as they always are but
@@ -74,6 +83,7 @@ static bool can_be_straight(struct csg_chooser *chooser, const struct csg_struct
     return !draw->around_eye && csg_structure_is_small(structure) &&
            (chooser->request->textbook || has_exits(chooser, structure, draw)) &&
            (structure->num == 1 || !chooser->request->shared) &&
+           is_common(chooser->request, draw->object) &&
            csg_chooser_has_room(chooser, structure, draw->stiff);
 }
 

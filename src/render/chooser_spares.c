@@ -49,7 +49,8 @@ bool csg_chooser_prepare_whole(struct csg_chooser *chooser, const struct csg_dra
     chooser->prepared_whole = draw->object + 1;
     const struct csg_structure structure = csg_chooser_structure(request, draw->object);
     if (request->shared || !csg_chooser_may_tile(request, &structure) ||
-        !csg_structure_is_small(&structure))
+        !csg_structure_is_small(&structure) ||
+        !csg_plan_is_common(request->scene->plan, draw->object))
         return true;
     return csg_chooser_prepare_tiles(chooser) &&
            (!csg_chooser_has_room(chooser, &structure, draw->stiff) ||

@@ -6,10 +6,6 @@
 
 #include "render/renderer.h"
 
-/* At most; the others share the loop. Each costs 5 to 100 ms to compile where the driver's disk
- * cache does not know it. */
-#define CSG_MAX_STRAIGHT_PROGRAMS 8
-
 struct csg_known_structure {
     const struct csg_step *steps; /* of the first object that has it */
     size_t num;

@@ -107,11 +107,6 @@ static char *finish_text(struct csg_text *text)
     return NULL;
 }
 
-static size_t num_planes(const struct csg_structure *structure, size_t step)
-{
-    return structure->scene->leaves[structure->steps[step].leaf].shape.num_planes;
-}
-
 int csg_structure_features(const struct csg_structure *structure)
 {
     int features = 0;
@@ -130,18 +125,6 @@ size_t csg_structure_crossings(const struct csg_structure *structure)
         if (!(structure->steps[i].flags & CSG_RECORD_POP))
             crossings += structure->steps[i].flags & CSG_RECORD_GAP ? 4 : 2;
     return crossings;
-}
-
-bool csg_structure_is_small(const struct csg_structure *structure)
-{
-    if (structure->num > CSG_STRAIGHT_MAX_STEPS)
-        return false;
-    for (size_t i = 0; i < structure->num; i++)
-        if (structure->steps[i].flags & CSG_RECORD_SURFACE ||
-            (!(structure->steps[i].flags & CSG_RECORD_POP) &&
-             num_planes(structure, i) > CSG_STRAIGHT_MAX_PLANES))
-            return false;
-    return true;
 }
 
 static void add_preamble(struct csg_text *text, int features)

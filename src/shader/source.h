@@ -5,7 +5,7 @@
 /* Shader texts, put together from shaders/ and from what the objects at hand need. */
 
 #include "crowd/run.h"
-#include "csg/program.h"
+#include "csg/structure.h"
 
 /* How an object's first visible point is found; docs/pipeline.md compares them. */
 enum csg_resolver {
@@ -46,10 +46,6 @@ enum csg_feature {
     CSG_FEATURE_DIRECT = 512,   /* colours, instead of what the shading pass reads */
     CSG_FEATURE_SHARED = 1024   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
-
-/* The largest tree for straight-line code: compile time grows by some ms a leaf. */
-#define CSG_STRAIGHT_MAX_STEPS 24
-#define CSG_STRAIGHT_MAX_PLANES 8
 
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
 #define CSG_ALGORITHM4_MAX_CROSSINGS 192
@@ -100,16 +96,8 @@ struct csg_text {
 
 void csg_text_add(struct csg_text *text, const char *format, ...) CSG_PRINTF(2, 3);
 
-/* Steps of one object, and the number of planes of each. */
-struct csg_structure {
-    const struct csg_step *steps;
-    size_t num;
-    const struct csgcast_scene *scene;
-};
-
 int csg_structure_features(const struct csg_structure *structure);
 size_t csg_structure_crossings(const struct csg_structure *structure);
-bool csg_structure_is_small(const struct csg_structure *structure);
 
 /* The stages of a geometry program. Equal structures give equal texts: together they are the key
  * under which programs are cached. NULL where memory ran out. */

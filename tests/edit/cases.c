@@ -66,7 +66,7 @@ void check_growth(struct bench *bench)
 {
     static float got[LARGE_SIZE * LARGE_SIZE], expected[LARGE_SIZE * LARGE_SIZE];
     const double large[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    const double small[16] = {0.3, 0, 0, 0, 0, 0.3, 0, 0, 0, 0, 0.3, 0, 0, 0, 0, 1};
+    const double small[16] = {0.15, 0, 0, 0, 0, 0.15, 0, 0, 0, 0, 0.15, 0, 0, 0, 0, 1};
     char *text = bench->text;
     int at = snprintf(text, MODEL_MAX_TEXT, "difference() { cube(24, center = true);");
     for (int i = 0; i < 14; i++)
