@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gl/lock.h"
 #include "gl/platform.h"
-#include "gl/turns.h"
 
 /* glGetError returns one flag at a time, and on a lost context the same one for ever. */
 enum { MAX_ERRORS = 8 };
@@ -135,11 +135,11 @@ struct csg_gl *csg_gl_create(enum csgcast_backend backend, const struct csg_log 
     }
     struct csg_gl_report report = {0};
     struct csg_gl_context *context = NULL;
-    csg_gl_turn_begin();
+    csg_gl_lock();
     for (int i = 0; i < NUM_PLATFORMS && !context; i++)
         if (is_wanted(platforms[i], backend))
             context = platforms[i]->create(log, &report);
-    csg_gl_turn_end();
+    csg_gl_unlock();
     if (context)
         return &context->gl;
     add_remedy(&report, backend);
@@ -153,18 +153,18 @@ void csg_gl_destroy(struct csg_gl *gl)
         return;
     struct csg_gl_context *context = (struct csg_gl_context *)gl;
     assert(context->depth == 0);
-    csg_gl_turn_begin();
+    csg_gl_lock();
     csg_gl_current_finish(&context->saved);
     gl->platform->destroy(context);
-    csg_gl_turn_end();
+    csg_gl_unlock();
 }
 
 /* ---- enter and leave ---- */
 
-static void end_turn(const struct csg_gl_context *context)
+static void unlock(const struct csg_gl_context *context)
 {
     if (context->is_software)
-        csg_gl_turn_end();
+        csg_gl_unlock();
 }
 
 /* Enters of the same context nest: only the outermost one makes it current. */
@@ -174,13 +174,13 @@ bool csg_gl_enter(struct csg_gl *gl)
     if (context->depth++ > 0)
         return true;
     if (context->is_software)
-        csg_gl_turn_begin();
+        csg_gl_lock();
     csg_gl_current_save(&context->saved);
     if (gl->platform->bind(context))
         return true;
     csg_gl_current_restore(&context->saved);
     context->depth = 0;
-    end_turn(context);
+    unlock(context);
     csg_log_error(&gl->log, CSGCAST_MESSAGE_CONTEXT,
                   "%s: the context cannot be made current; is it in use by another thread?",
                   gl->name);
@@ -228,6 +228,6 @@ bool csg_gl_leave(struct csg_gl *gl)
         return ok;
     gl->platform->unbind(context);
     csg_gl_current_restore(&context->saved);
-    end_turn(context);
+    unlock(context);
     return ok;
 }
