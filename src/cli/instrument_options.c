@@ -31,13 +31,6 @@ const char *csg_set_difference(struct csg_cli_options *options, const char *valu
     return *value ? NULL : "a file name";
 }
 
-const char *csg_set_no_picture(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->compare.no_picture = true;
-    return NULL;
-}
-
 const char *csg_set_sagitta(struct csg_cli_options *options, const char *value)
 {
     return set_number(value, INFINITY, &options->compare.sagitta, "a length, 0 or more");
@@ -66,13 +59,6 @@ const char *csg_set_max_depth_p99(struct csg_cli_options *options, const char *v
 const char *csg_set_max_normal_p99(struct csg_cli_options *options, const char *value)
 {
     return set_number(value, 180, &options->compare.limits.normal_p99, "degrees from 0 to 180");
-}
-
-const char *csg_set_quick(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->report.quick = true;
-    return NULL;
 }
 
 const char *csg_set_limit(struct csg_cli_options *options, const char *value)

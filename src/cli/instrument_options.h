@@ -12,7 +12,6 @@ extern const struct csg_compare_options csg_compare_defaults;
 const char *csg_set_mesh(struct csg_cli_options *options, const char *value);
 const char *csg_set_side_by_side(struct csg_cli_options *options, const char *value);
 const char *csg_set_difference(struct csg_cli_options *options, const char *value);
-const char *csg_set_no_picture(struct csg_cli_options *options, const char *value);
 const char *csg_set_sagitta(struct csg_cli_options *options, const char *value);
 const char *csg_set_max_wrong(struct csg_cli_options *options, const char *value);
 const char *csg_set_min_iou(struct csg_cli_options *options, const char *value);
@@ -20,10 +19,9 @@ const char *csg_set_max_depth(struct csg_cli_options *options, const char *value
 const char *csg_set_max_depth_p99(struct csg_cli_options *options, const char *value);
 const char *csg_set_max_normal_p99(struct csg_cli_options *options, const char *value);
 
-/* Of `csgcast report`. */
-const char *csg_set_quick(struct csg_cli_options *options, const char *value);
 /* Of both. */
 const char *csg_set_limit(struct csg_cli_options *options, const char *value);
+/* Of `csgcast report`. */
 const char *csg_set_wasm(struct csg_cli_options *options, const char *value);
 
 #endif

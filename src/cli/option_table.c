@@ -66,13 +66,6 @@ static const char *set_frames(struct csg_cli_options *options, const char *value
                : "a number from 1 to 100000";
 }
 
-static const char *set_orbit(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->orbit = true;
-    return NULL;
-}
-
 static const char *set_edit(struct csg_cli_options *options, const char *value)
 {
     options->edit = true;
@@ -97,40 +90,28 @@ static const char *set_edit_what(struct csg_cli_options *options, const char *va
     return NULL;
 }
 
-static const char *set_stats(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->stats = true;
-    return NULL;
-}
+/* Options without a value: each sets a bool. */
+#define FLAG(name, field)                                                                          \
+    static const char *name(struct csg_cli_options *options, const char *value)                    \
+    {                                                                                              \
+        (void)value;                                                                               \
+        options->field = true;                                                                     \
+        return NULL;                                                                               \
+    }
 
-static const char *set_json(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->json = true;
-    return NULL;
-}
-
-static const char *set_no_gl(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->no_gl = true;
-    return NULL;
-}
-
-static const char *set_quiet(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->quiet = true;
-    return NULL;
-}
-
-static const char *set_help(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->help = true;
-    return NULL;
-}
+FLAG(set_no_picture, compare.no_picture)
+FLAG(set_quick, report.quick)
+FLAG(set_skip_unsupported, scene.skip_unsupported)
+FLAG(set_no_handoff, scene.no_handoff)
+FLAG(set_clear, clear)
+FLAG(set_viewall, view.camera.viewall)
+FLAG(set_autocenter, view.camera.autocenter)
+FLAG(set_orbit, orbit)
+FLAG(set_stats, stats)
+FLAG(set_json, json)
+FLAG(set_no_gl, no_gl)
+FLAG(set_quiet, quiet)
+FLAG(set_help, help)
 
 #define NONE CSG_ARGUMENT_NONE
 #define REQUIRED CSG_ARGUMENT_REQUIRED
@@ -168,7 +149,7 @@ const struct csg_option csg_option_table[] = {
      csg_set_side_by_side},
     {"difference", 0, REQUIRED, COMPARE, "FILE", "a picture of the differences only",
      csg_set_difference},
-    {"no-picture", 0, NONE, COMPARE, NULL, "write no picture", csg_set_no_picture},
+    {"no-picture", 0, NONE, COMPARE, NULL, "write no picture", set_no_picture},
     {"mesh", 0, REQUIRED, COMPARE, "FILE",
      "compare with this mesh (STL, OFF, OBJ, 3MF, ...); default: openscad\n"
      "makes one of the scene, as it exports it",
@@ -195,7 +176,7 @@ const struct csg_option csg_option_table[] = {
     {"max-normal-p99", 0, REQUIRED, COMPARE, "DEGREES",
      "threshold: error of the normal in 99 % of the pixels", csg_set_max_normal_p99},
     {"quick", 0, NONE, REPORT, NULL,
-     "fewer meshes, frames and shots: a minute instead of a quarter", csg_set_quick},
+     "fewer meshes, frames and shots: a minute instead of a quarter", set_quick},
     {"limit", 0, REQUIRED, COMPARE, "SECONDS", "for openscad to make the mesh; default: none",
      csg_set_limit},
     {"limit", 0, REQUIRED, REPORT, "SECONDS",
@@ -223,8 +204,8 @@ const struct csg_option csg_option_table[] = {
     {"projection", 0, REQUIRED, VIEW, "p|o", "perspective (default) or orthographic",
      csg_set_projection},
     {"viewall", 0, NONE, VIEW, NULL, "move the camera so that the whole scene is in view",
-     csg_set_viewall},
-    {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", csg_set_autocenter},
+     set_viewall},
+    {"autocenter", 0, NONE, VIEW, NULL, "look at the centre of the scene", set_autocenter},
     {"fov", 0, REQUIRED, VIEW, "DEGREES", "vertical field of view; default 22.5", csg_set_fov},
     {"colorscheme", 0, REQUIRED, PAINT, "NAME", "OpenSCAD's colour schemes; default Cornfield",
      csg_set_colorscheme},
@@ -251,13 +232,12 @@ const struct csg_option csg_option_table[] = {
      "(default); exact: always; as-written: OpenSCAD's vertices",
      csg_set_facets},
     {"skip-unsupported", 0, NONE, ALL | REPORT, NULL,
-     "draw the rest of a scene with unsupported nodes", csg_set_skip_unsupported},
+     "draw the rest of a scene with unsupported nodes", set_skip_unsupported},
     {"openscad", 0, REQUIRED, ALL | REPORT, "PROGRAM",
      "what flattens .scad files and evaluates subtrees that only it\n"
      "can; default $OPENSCAD or openscad",
      csg_set_openscad},
-    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead",
-     csg_set_no_handoff},
+    {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", set_no_handoff},
     {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"
      "$CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast",
@@ -265,7 +245,7 @@ const struct csg_option csg_option_table[] = {
     {"no-cache", 0, NONE, ALL | REPORT, NULL, "neither read nor write it", csg_set_no_cache},
     {"cache-size", 0, REQUIRED, ALL | REPORT, "MIB",
      "its bound; default $CSGCAST_CACHE_SIZE or 256", csg_set_cache_size},
-    {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", csg_set_clear},
+    {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
     {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", csg_set_backend},
     {"threads", 0, REQUIRED, DRAW, "N",

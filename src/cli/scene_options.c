@@ -65,24 +65,10 @@ const char *csg_set_facets(struct csg_cli_options *options, const char *value)
     return NULL;
 }
 
-const char *csg_set_skip_unsupported(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->scene.skip_unsupported = true;
-    return NULL;
-}
-
 const char *csg_set_openscad(struct csg_cli_options *options, const char *value)
 {
     options->scene.openscad = value;
     return *value ? NULL : "a program";
-}
-
-const char *csg_set_no_handoff(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->scene.no_handoff = true;
-    return NULL;
 }
 
 const char *csg_set_cache(struct csg_cli_options *options, const char *value)
@@ -104,13 +90,6 @@ const char *csg_set_cache_size(struct csg_cli_options *options, const char *valu
     if (!csg_value_double(value, &mebibytes) || !(mebibytes > 0 && mebibytes < 1e9))
         return "mebibytes above 0";
     options->scene.cache_size = (uint64_t)(mebibytes * (1 << 20)) + 1;
-    return NULL;
-}
-
-const char *csg_set_clear(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->clear = true;
     return NULL;
 }
 

@@ -13,13 +13,10 @@ const char *csg_set_parameter_file(struct csg_cli_options *options, const char *
 const char *csg_set_parameter_set(struct csg_cli_options *options, const char *value);
 const char *csg_set_animate(struct csg_cli_options *options, const char *value);
 const char *csg_set_facets(struct csg_cli_options *options, const char *value);
-const char *csg_set_skip_unsupported(struct csg_cli_options *options, const char *value);
 const char *csg_set_openscad(struct csg_cli_options *options, const char *value);
-const char *csg_set_no_handoff(struct csg_cli_options *options, const char *value);
 const char *csg_set_cache(struct csg_cli_options *options, const char *value);
 const char *csg_set_no_cache(struct csg_cli_options *options, const char *value);
 const char *csg_set_cache_size(struct csg_cli_options *options, const char *value);
-const char *csg_set_clear(struct csg_cli_options *options, const char *value);
 
 /* Says which of the given options change nothing: those for .scad files where there is none, and
  * half a pair of -p and -P. */

@@ -61,20 +61,6 @@ const char *csg_set_projection(struct csg_cli_options *options, const char *valu
     return NULL;
 }
 
-const char *csg_set_viewall(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->view.camera.viewall = true;
-    return NULL;
-}
-
-const char *csg_set_autocenter(struct csg_cli_options *options, const char *value)
-{
-    (void)value;
-    options->view.camera.autocenter = true;
-    return NULL;
-}
-
 const char *csg_set_fov(struct csg_cli_options *options, const char *value)
 {
     double *fov = &options->view.camera.fov;

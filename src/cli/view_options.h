@@ -10,8 +10,6 @@
 const char *csg_set_imgsize(struct csg_cli_options *options, const char *value);
 const char *csg_set_camera(struct csg_cli_options *options, const char *value);
 const char *csg_set_projection(struct csg_cli_options *options, const char *value);
-const char *csg_set_viewall(struct csg_cli_options *options, const char *value);
-const char *csg_set_autocenter(struct csg_cli_options *options, const char *value);
 const char *csg_set_fov(struct csg_cli_options *options, const char *value);
 const char *csg_set_colorscheme(struct csg_cli_options *options, const char *value);
 const char *csg_set_cut_color(struct csg_cli_options *options, const char *value);
