@@ -136,7 +136,9 @@ static void put_plane(const struct builder *builder, const double from[4], doubl
     const struct csg_screen *screen = &builder->terms->frame->screen;
     const double size =
         fabs(from[0]) + fabs(from[1]) * screen->width + fabs(from[2]) * screen->height;
-    const bool steep = is_steep(builder, from);
+    /* What is right before the eye is not before the point where rays start. */
+    const double start = screen->near > 0 ? fabs(csg_screen_key(screen, screen->near)) : 0;
+    const bool steep = is_steep(builder, from) && size > start;
     for (int i = 0; i < 3; i++)
         to[i] = steep ? from[i] * (CSG_PLANE_KEY_MAX / size) : from[i];
     to[0] += steep ? BESIDE_STEEP * CSG_PLANE_KEY_MAX : 0;
