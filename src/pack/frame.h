@@ -26,8 +26,16 @@ struct csg_instance {
                    * one point; else 0 */
 };
 
+/* What a program for chains must have to draw a tile: see struct csg_chain in shader/source.h. */
+struct csg_chain_need {
+    uint8_t slots;  /* 0: it is no chain */
+    uint8_t planes; /* of either sense, that one record has; 255: or more */
+    bool quadrics, flat, clauses;
+};
+
 struct csg_draw {
     struct csg_instance instance;
+    struct csg_chain_need chain;
     uint32_t object;
     uint8_t layer, paint; /* as in csg_object */
     bool single;          /* one convex leaf */

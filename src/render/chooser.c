@@ -126,7 +126,7 @@ static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw 
 }
 
 /* The smallest chain that can be used for that; -1: none. */
-static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain *needed)
+static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain_need *needed)
 {
     for (int i = 0; i < CSG_NUM_CHAINS; i++)
         if (chooser->may_chain[i] && csg_chain_fits(i, needed))
@@ -135,25 +135,20 @@ static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain *
 }
 
 /* Tiles hold trees of any kind; most are chains. */
-static bool is_chain(const struct csg_chooser *chooser, const struct csg_draw *draw,
-                     struct csg_chain *needed)
+static bool is_chain(const struct csg_chooser *chooser, const struct csg_draw *draw)
 {
     const struct csg_request *request = chooser->request;
     const bool wanted = request->resolver < 0 || request->resolver == CSG_RESOLVER_STRAIGHT ||
                         request->resolver == CSG_RESOLVER_CHAIN;
-    return wanted && draw->tile && !draw->stiff && !draw->precise && !draw->around_eye &&
-           !request->textbook &&
-           csg_chain_find(chooser->renderer->frame.texels.data, (size_t)draw->instance.records[0],
-                          (size_t)draw->instance.records[1], needed) &&
-           !(request->shared && needed->clauses);
+    return wanted && draw->chain.slots > 0 && !draw->stiff && !draw->precise && !draw->around_eye &&
+           !request->textbook && !(request->shared && draw->chain.clauses);
 }
 
 static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *draw)
 {
-    struct csg_chain needed;
-    if (!is_chain(chooser, draw, &needed))
+    if (!is_chain(chooser, draw))
         return -1;
-    return chooser->common_chain >= 0 ? chooser->common_chain : fit_chain(chooser, &needed);
+    return chooser->common_chain >= 0 ? chooser->common_chain : fit_chain(chooser, &draw->chain);
 }
 
 /* One picture does not repay what several chains take to compile or to read from the driver's
@@ -161,12 +156,13 @@ static int find_chain(const struct csg_chooser *chooser, const struct csg_draw *
 static int find_common_chain(const struct csg_chooser *chooser)
 {
     const struct csg_frame *frame = &chooser->renderer->frame;
-    struct csg_chain all = {.planes = CSG_CHAIN_PLANES}, needed;
+    struct csg_chain_need all = {.planes = CSG_CHAIN_PLANES};
     for (size_t i = 0; i < frame->draws.num && chooser->request->shared; i++) {
-        if (!is_chain(chooser, &frame->draws.data[i], &needed))
+        const struct csg_draw *draw = &frame->draws.data[i];
+        if (!is_chain(chooser, draw))
             continue;
-        all.slots = needed.slots > all.slots ? needed.slots : all.slots;
-        all.quadrics |= needed.quadrics;
+        all.slots = draw->chain.slots > all.slots ? draw->chain.slots : all.slots;
+        all.quadrics |= draw->chain.quadrics;
     }
     return all.slots > 0 ? fit_chain(chooser, &all) : -1;
 }

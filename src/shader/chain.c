@@ -4,8 +4,6 @@
 
 #include "shader/source.h"
 
-#include <math.h>
-
 const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {.slots = 2, .handed = 2, .planes = 2, .colors = true},
     {.slots = 5, .handed = 5, .planes = 2, .colors = true},
@@ -18,14 +16,6 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {3, 3, 2, .quadrics = true, .colors = true, .clauses = true},
     {5, 4, 2, .quadrics = true, .clauses = true},
 };
-
-/* Numbers of normals that shaders/csg/normals.glsl has bits for. */
-#define MAX_NUMBER 63
-
-#define NOT_IN_CHAINS (CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
-
-/* What follows one another without clauses, but for the complement that does not come first. */
-#define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH)
 
 /* A slot's numbers, variable and component: its planes e f x y, its head h, its quadric q r s, of
  * which the code q.w is part of h.x, and for colours its colour t and the terms u v w of its
@@ -100,56 +90,7 @@ size_t csg_chain_size(int i, bool direct)
     return csg_chain_handed(&chain) + rest;
 }
 
-/* csg_choose's order: solids before complements, then the order of the file. */
-static int64_t rank_of(const float *texels, const float *head)
-{
-    const float leaf = texels[4 * (4 * (size_t)head[3] + CSG_ATTRIBUTE_LEAF)];
-    return (int64_t)leaf + ((int)head[2] & CSG_RECORD_NEGATED ? (int64_t)1 << 32 : 0);
-}
-
-/* Whether a slot has room for the record. */
-static bool fits_slot(const float *head)
-{
-    const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-    if (flags & NOT_IN_CHAINS || entries > CSG_CHAIN_PLANES || exits > CSG_CHAIN_PLANES)
-        return false;
-    for (int i = 0; i < entries + exits; i++)
-        if (fabsf(head[4 * (1 + i) + 3]) > MAX_NUMBER + 1)
-            return false;
-    return true;
-}
-
-/* Whether the record, number slot of those of an intersection, may come behind one of that rank. */
-static bool is_link(const float *texels, const float *head, int slot, int64_t rank)
-{
-    const int flags = (int)head[2];
-    return !(flags & NOT_IN_ROWS) && flags & (CSG_RECORD_START | CSG_RECORD_AND) &&
-           rank_of(texels, head) >= rank && (slot > 0 || !(flags & CSG_RECORD_NEGATED));
-}
-
-bool csg_chain_find(const float *texels, size_t begin, size_t end, struct csg_chain *needed)
-{
-    const float *last = texels + 4 * end;
-    struct csg_chain found = {.clauses = (int)texels[4 * begin + 2] >= CSG_RECORD_CLAUSE};
-    int64_t rank = 0;
-    for (const float *head = texels + 4 * begin; head < last;
-         head += 4 * (1 + csg_record_terms(head))) {
-        const int flags = (int)head[2], planes = (int)fmaxf(head[0], head[1]);
-        if (found.clauses && flags & CSG_RECORD_POP)
-            continue;
-        if (!fits_slot(head) || (!found.clauses && !is_link(texels, head, found.slots, rank)))
-            return false;
-        rank = rank_of(texels, head);
-        found.flat |= found.slots == 0 && !(flags & CSG_RECORD_QUADRIC);
-        found.slots++;
-        found.planes = planes > found.planes ? planes : found.planes;
-        found.quadrics |= flags & CSG_RECORD_QUADRIC;
-    }
-    *needed = found;
-    return true;
-}
-
-bool csg_chain_fits(int i, const struct csg_chain *needed)
+bool csg_chain_fits(int i, const struct csg_chain_need *needed)
 {
     const struct csg_chain *chain = &csg_chains[i];
     return needed->slots <= chain->slots && needed->planes <= chain->planes &&

@@ -6,6 +6,7 @@
 
 #include "crowd/run.h"
 #include "csg/structure.h"
+#include "pack/frame.h"
 
 /* How an object's first visible point is found; docs/pipeline.md compares them. */
 enum csg_resolver {
@@ -79,11 +80,8 @@ size_t csg_chain_handed(const struct csg_chain *chain);
 #define CSG_SHARED_FEW 16
 #define CSG_SHARED_MANY 27
 
-/* What a chain needs for the records at [begin, end) of a frame's texels; false: there is none. */
-bool csg_chain_find(const float *texels, size_t begin, size_t end, struct csg_chain *needed);
-
-/* Whether chain i has it. The smallest ones come first. */
-bool csg_chain_fits(int i, const struct csg_chain *needed);
+/* Whether chain i has what is needed. The smallest ones come first. */
+bool csg_chain_fits(int i, const struct csg_chain_need *needed);
 
 /* Whether what chain i draws is drawn by no other one. */
 bool csg_chain_is_general(int i);

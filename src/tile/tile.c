@@ -7,6 +7,7 @@
 
 #include "pack/record.h"
 #include "pack/surface_record.h"
+#include "tile/chain.h"
 #include "tile/clauses.h"
 #include "tile/tiler.h"
 
@@ -172,11 +173,11 @@ static bool is_surface_alone(const struct csg_tiler *tiler)
            csg_terms_view(tiler->terms, step->leaf)->turns == 0;
 }
 
-/* Appends the tile's records, and notes what draws have to know of them, and the most planes of
- * either sense that one has. */
+/* Appends the tile's records, and notes what draws have to know of them. */
 static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *task,
-                        struct csg_draw *draw, int *most_planes)
+                        struct csg_draw *draw)
 {
+    struct csg_chain_finder chain = {.rank = 0};
     const struct csg_frame *frame = tiler->terms->frame;
     const struct csg_rect rect = csg_tile_rect(task);
     const struct csg_tile_box box = csg_tiler_box(tiler, &rect);
@@ -186,17 +187,17 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
     if (!task->flat && task->tree.num > 1)
         csg_clauses_mark(&tiler->scan.program, &task->tree);
     draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
-    *most_planes = 0;
     for (size_t i = 0; i < tiler->scan.program.num; i++) {
-        const uint32_t flags = tiler->scan.program.data[i].flags;
+        const struct csg_step *step = &tiler->scan.program.data[i];
+        const uint32_t flags = step->flags;
         const size_t at = frame->texels.num;
         draw->bands |= (flags & CSG_RECORD_BANDS) != 0;
         draw->surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
         if (!add_record(tiler, i, task, &box))
             return false;
-        const int planes = (int)fmaxf(frame->texels.data[at], frame->texels.data[at + 1]);
-        *most_planes = planes > *most_planes ? planes : *most_planes;
+        csg_chain_add(&chain, step, frame->texels.data + at);
     }
+    draw->chain = csg_chain_end(&chain);
     draw->surface_alone = is_surface_alone(tiler);
     draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
     return true;
@@ -237,10 +238,11 @@ static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
 /* Whether only planes keep the tile from being a chain. Of solids with many all are asked for each
  * tile. */
 static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile_task *task,
-                            const struct csg_draw *draw, size_t num_leaves, int most_planes)
+                            const struct csg_draw *draw, size_t num_leaves)
 {
-    return may_chain(tiler) && most_planes > CSG_CHAIN_PLANES && num_leaves <= CSG_CHAIN_LITERALS &&
-           !draw->surface && !draw->bands && !is_within(task, CSG_TILE_SIZE / 2) &&
+    return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES &&
+           num_leaves <= CSG_CHAIN_LITERALS && !draw->surface && !draw->bands &&
+           !is_within(task, CSG_TILE_SIZE / 2) &&
            planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;
 }
 
@@ -263,10 +265,9 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
 static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task, bool *drawn)
 {
     struct csg_draw draw = *tiler->draw;
-    int most_planes;
-    if (!put_records(tiler, task, &draw, &most_planes))
+    if (!put_records(tiler, task, &draw))
         return false;
-    *drawn = !has_many_planes(tiler, task, &draw, csg_tree_count_leaves(&task->tree), most_planes);
+    *drawn = !has_many_planes(tiler, task, &draw, csg_tree_count_leaves(&task->tree));
     if (*drawn)
         return add_draw(tiler, task, &draw);
     tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+#include "tile/chain.h"
+
+#include <math.h>
+
+/* Numbers of normals that shaders/csg/normals.glsl has bits for. */
+#define MAX_NUMBER 63
+
+#define NOT_IN_CHAINS (CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
+
+/* What follows one another without clauses, but for the complement that does not come first. */
+#define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH)
+
+/* csg_choose's order: solids before complements, then the order of the file. */
+static uint64_t rank_of(const struct csg_step *step)
+{
+    return step->leaf + (step->flags & CSG_RECORD_NEGATED ? (uint64_t)1 << 32 : 0);
+}
+
+/* Whether a slot has room for the record. */
+static bool fits_slot(const float *head)
+{
+    const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
+    if (flags & NOT_IN_CHAINS || entries > CSG_CHAIN_PLANES || exits > CSG_CHAIN_PLANES)
+        return false;
+    for (int i = 0; i < entries + exits; i++)
+        if (fabsf(head[4 * (1 + i) + 3]) > MAX_NUMBER + 1)
+            return false;
+    return true;
+}
+
+/* Whether the record of an intersection may come behind those that are there. */
+static bool is_link(const struct csg_chain_finder *finder, const struct csg_step *step)
+{
+    return !(step->flags & NOT_IN_ROWS) && step->flags & (CSG_RECORD_START | CSG_RECORD_AND) &&
+           rank_of(step) >= finder->rank &&
+           (finder->need.slots > 0 || !(step->flags & CSG_RECORD_NEGATED));
+}
+
+void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step, const float *head)
+{
+    struct csg_chain_need *need = &finder->need;
+    const int flags = (int)head[2];
+    need->planes = (uint8_t)fminf(fmaxf(need->planes, fmaxf(head[0], head[1])), UINT8_MAX);
+    need->clauses |= need->slots == 0 && flags >= CSG_RECORD_CLAUSE;
+    if (finder->broken || (need->clauses && flags & CSG_RECORD_POP))
+        return;
+    finder->broken = need->slots == CSG_CHAIN_LITERALS || !fits_slot(head) ||
+                     (!need->clauses && !is_link(finder, step));
+    finder->rank = rank_of(step);
+    need->flat |= need->slots == 0 && !(flags & CSG_RECORD_QUADRIC);
+    need->quadrics |= (flags & CSG_RECORD_QUADRIC) != 0;
+    need->slots++;
+}
+
+struct csg_chain_need csg_chain_end(const struct csg_chain_finder *finder)
+{
+    struct csg_chain_need need = finder->need;
+    need.slots = finder->broken ? 0 : need.slots;
+    return need;
+}
