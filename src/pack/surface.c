@@ -7,7 +7,7 @@
 #include "solids/shape.h"
 
 /* Triangles are cut off nearer than this share of the surface's distance and size. */
-#define NEAR_SHARE 1e-9
+#define NEAR_SHARE 1e-11
 
 /* Part of a pixel by which rectangles grow: corners are rounded to float later. */
 #define RECT_MARGIN 1e-3

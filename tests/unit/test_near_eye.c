@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * An eye within a turned profile, hardly below its flat end: rays leave it right before the eye, at
- * the reference's depths.
+ * An eye within a turned profile, or a surface of triangles, hardly below its flat end: rays leave it
+ * right before the eye, at the reference's depths.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,9 +15,12 @@ enum { SIZE = 32 };
 #define MAX_DEPTH_ERROR 1e-5 /* relative */
 
 /* Enough rings for a stack. */
-static const char text[] =
+static const char rings[] =
     "rotate_extrude($fn = 128) polygon([[0, 0], [19.5, 0], [19.5, 3], [19.5, 8.38], [22, 10.76],"
     " [22, 11], [19, 11], [16.5, 8.62], [16.5, 5], [16.5, 3], [8, 3], [4, 2.5], [0, 2]]);";
+
+static const char surface[] =
+    "linear_extrude(height = 11, twist = 20, slices = 20) square(60, center = true);";
 
 static struct csgcast_renderer *create(enum csgcast_backend backend)
 {
@@ -46,14 +49,17 @@ static void check_height(const struct csgcast_scene *scene, struct csgcast_rende
 
 int main(void)
 {
-    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
+    struct csgcast_scene *scenes[] = {csgcast_scene_parse(rings, strlen(rings), NULL),
+                                      csgcast_scene_parse(surface, strlen(surface), NULL)};
     struct csgcast_renderer *renderers[] = {create(CSGCAST_BACKEND_REFERENCE),
                                             create(CSGCAST_BACKEND_AUTO)};
-    CHECK(scene && renderers[0] && renderers[1], "nothing to draw with");
+    CHECK(scenes[0] && scenes[1] && renderers[0] && renderers[1], "nothing to draw with");
     for (double below = 1e-8; below < 0.1 && num_failed == 0; below *= 10)
-        check_height(scene, renderers, below);
-    for (int i = 0; i < 2; i++)
+        for (int i = 0; i < 2; i++)
+            check_height(scenes[i], renderers, below);
+    for (int i = 0; i < 2; i++) {
         csgcast_renderer_destroy(renderers[i]);
-    csgcast_scene_destroy(scene);
+        csgcast_scene_destroy(scenes[i]);
+    }
     return num_failed != 0;
 }
