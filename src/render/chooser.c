@@ -5,12 +5,14 @@
 
 #include "render/chooser_parts.h"
 
-/* Objects of several solids are drawn in tiles where steps times pixels are more than this: a tile
+/* Objects of more steps are drawn in tiles where steps times pixels are more than this: a tile
  * leaves out most of the solids, and all where it is empty, but takes as long to make as some
- * hundred pixels. */
-#define MAX_STEP_PIXELS 1e5
+ * hundred pixels, on one core, and several programs where it would be one. */
+#define MANY_STEPS 10
+#define MAX_STEP_PIXELS 3e5
 
-/* The same for objects whose structure has no program of its own, which the loop draws. */
+/* The same for objects of any steps whose structure has no program of its own, which the loop
+ * draws. */
 #define MAX_LOOP_STEP_PIXELS 4e3
 
 struct csg_structure csg_chooser_structure(const struct csg_request *request, uint32_t object)
@@ -25,10 +27,11 @@ static bool is_common(const struct csg_request *request, size_t object)
     return csg_plan_is_common(request->scene->plan, object);
 }
 
-/* Whether a small structure is drawn in one piece only where it covers few pixels. */
+/* Whether a small structure with a program of its own is drawn in one piece only where it covers
+ * few pixels. */
 bool csg_chooser_may_tile(const struct csg_request *request, const struct csg_structure *structure)
 {
-    return request->resolver < 0 && !request->textbook && structure->num > 1;
+    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
 }
 
 /* What a draw's program must do because of this view. */
@@ -54,9 +57,11 @@ bool csg_draws_whole(size_t object, double area, const void *user)
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
-    const double most = is_common(request, object) ? MAX_STEP_PIXELS : MAX_LOOP_STEP_PIXELS;
-    return csg_structure_is_small(&structure) &&
-           (!csg_chooser_may_tile(request, &structure) || (double)structure.num * area <= most);
+    const double cost = (double)structure.num * area;
+    const bool small = csg_structure_is_small(&structure);
+    if (is_common(request, object) || structure.num == 1)
+        return small && (!csg_chooser_may_tile(request, &structure) || cost <= MAX_STEP_PIXELS);
+    return small && (request->resolver >= 0 || request->textbook || cost <= MAX_LOOP_STEP_PIXELS);
 }
 
 /* Straight-line code takes half of the planes of paired leaves for exits, as they always are but
