@@ -135,13 +135,17 @@ struct csg_gl *csg_gl_create(enum csgcast_backend backend, const struct csg_log 
     }
     struct csg_gl_report report = {0};
     struct csg_gl_context *context = NULL;
+    struct csg_gl_threads others;
     csg_gl_lock();
+    csg_gl_threads_list(&others);
     for (int i = 0; i < NUM_PLATFORMS && !context; i++)
         if (is_wanted(platforms[i], backend))
             context = platforms[i]->create(log, &report);
     csg_gl_unlock();
-    if (context)
+    if (context) {
+        context->others = others;
         return &context->gl;
+    }
     add_remedy(&report, backend);
     csg_log_error(log, CSGCAST_MESSAGE_CONTEXT, "no OpenGL 3.3 core context:%s", report.text);
     return NULL;
@@ -226,6 +230,9 @@ bool csg_gl_leave(struct csg_gl *gl)
     const bool ok = report_errors(gl);
     if (--context->depth > 0)
         return ok;
+    if (context->is_software && !context->spread)
+        csg_gl_threads_spread(&context->others);
+    context->spread = true;
     gl->platform->unbind(context);
     csg_gl_current_restore(&context->saved);
     unlock(context);

@@ -6,6 +6,7 @@
 
 #include "gl/context.h"
 #include "gl/current.h"
+#include "gl/threads.h"
 
 /* Why attempts to make a context failed, for one message after the last of them. */
 struct csg_gl_report {
@@ -20,9 +21,11 @@ void csg_gl_report_add(struct csg_gl_report *report, const char *format, ...) CS
 struct csg_gl_context {
     struct csg_gl gl;
     char name[256];
-    bool is_software;            /* contexts of llvmpipe take turns */
-    int depth;                   /* enters without a leave */
-    struct csg_gl_current saved; /* what was current before the first of them */
+    bool is_software;             /* contexts of llvmpipe take turns */
+    int depth;                    /* enters without a leave */
+    struct csg_gl_current saved;  /* what was current before the first of them */
+    struct csg_gl_threads others; /* rasterizers that were there before the context */
+    bool spread;                  /* its own have a core each, if they can */
 };
 
 typedef void (*csg_gl_proc)(void);

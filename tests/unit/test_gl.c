@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: MIT */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* sched_getaffinity */
+#endif
 
 /* Contexts of both platforms: creation, drawing, and leaving the caller's context alone. */
 
+#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "gl/context.h"
 #include "gl/egl_api.h"
 #include "gl/osmesa_api.h"
+#include "gl/threads.h"
 
 enum { SIZE = 4 };
 
@@ -172,6 +178,61 @@ static void test_osmesa_kept(struct csg_gl *gl)
     csg_osmesa_api_close(&osmesa);
 }
 
+/* ---- the driver's threads ---- */
+
+/* Threads that may run on one core only, no two of them on the same. */
+static size_t count_spread(const struct csg_gl_threads *threads)
+{
+    cpu_set_t taken;
+    size_t num = 0;
+    CPU_ZERO(&taken);
+    for (size_t i = 0; i < threads->num; i++) {
+        cpu_set_t cores, both;
+        sched_getaffinity(threads->ids[i], sizeof cores, &cores);
+        CPU_AND(&both, &cores, &taken);
+        CPU_OR(&taken, &taken, &cores);
+        num += CPU_COUNT(&cores) == 1 && CPU_COUNT(&both) == 0;
+    }
+    return num;
+}
+
+/* Call it first: it looks at all rasterizers of the process. */
+static void test_threads(void)
+{
+    cpu_set_t allowed;
+    struct csg_gl_threads threads;
+    struct csg_gl *gl = csg_gl_create(CSGCAST_BACKEND_EGL, NULL);
+    if (!gl)
+        return;
+    test_drawing(gl);
+    csg_gl_threads_list(&threads);
+    sched_getaffinity(0, sizeof allowed, &allowed);
+    const bool one_each = threads.num > 1 && (size_t)CPU_COUNT(&allowed) == threads.num;
+    check(count_spread(&threads) == (one_each ? threads.num : 0), gl->name,
+          one_each ? "a core for each rasterizer" : "rasterizers run where they like");
+    check(CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_ONLN) || !one_each, gl->name,
+          "the caller runs where it likes");
+    csg_gl_destroy(gl);
+}
+
+/* What the program has started for itself runs where it likes. */
+static void test_others(void)
+{
+    struct csg_gl_threads all, others;
+    csg_gl_threads_list(&all);
+    cpu_set_t allowed;
+    sched_getaffinity(0, sizeof allowed, &allowed);
+    for (size_t i = 0; i < all.num; i++)
+        sched_setaffinity(all.ids[i], sizeof allowed, &allowed);
+    others = all;
+    csg_gl_threads_spread(&others);
+    check(count_spread(&all) == 0 || CPU_COUNT(&allowed) == 1, "threads", "others are left alone");
+    others.num = 0;
+    csg_gl_threads_spread(&others);
+    check(all.num < 2 || (size_t)CPU_COUNT(&allowed) != all.num || count_spread(&all) == all.num,
+          "threads", "the same ones are spread where they are not others");
+}
+
 /* ---- failures ---- */
 
 static void test_device(void)
@@ -215,6 +276,8 @@ static void test_repeated(enum csgcast_backend backend)
 
 int main(void)
 {
+    test_threads();
+    test_others();
     struct csg_gl *egl = csg_gl_create(CSGCAST_BACKEND_EGL, NULL);
     struct csg_gl *other_egl = csg_gl_create(CSGCAST_BACKEND_EGL, NULL);
     if (egl) {

@@ -382,7 +382,8 @@ struct csgcast_renderer_params {
     bool background;
     /* Threads that prepare a picture, or cast it where OpenGL does not, csgcast_render's caller one
      * of them, 1 to 64. 0 and anything else: as many as there are cores. Pictures do not depend on
-     * it. The driver has threads of its own: llvmpipe's number is set by LP_NUM_THREADS. */
+     * it. The driver has threads of its own: llvmpipe's number is set by LP_NUM_THREADS; where there
+     * are as many as cores, those that a renderer starts are bound to one each. */
     int num_threads;
 };
 
