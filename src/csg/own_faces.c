@@ -123,8 +123,11 @@ static void count(struct csg_surface *surface)
 bool csg_own_faces_find(struct csg_surface *surface, const struct csg_box *box, int num_threads)
 {
     surface->own = calloc(surface->planes.num + 1, sizeof *surface->own);
-    if (!surface->own || !fill(surface, box, num_threads))
+    if (!surface->own || !fill(surface, box, num_threads)) {
+        free(surface->own); /* a surface that has it is ready */
+        surface->own = NULL;
         return false;
+    }
     count(surface);
     return true;
 }
