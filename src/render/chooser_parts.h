@@ -30,7 +30,8 @@ struct csg_chooser {
 
 struct csg_structure csg_chooser_structure(const struct csg_request *request, uint32_t object);
 
-/* Whether a small structure is drawn in one piece only where it covers few pixels. */
+/* Whether a small structure with a program of its own is drawn in one piece only where it covers
+ * few pixels. */
 bool csg_chooser_may_tile(const struct csg_request *request, const struct csg_structure *structure);
 
 /* What a draw's program must do because of this view; and one that walks through cells. */

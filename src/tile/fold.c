@@ -10,7 +10,7 @@
 /* Trees of so many nodes are first looked through for leaves that miss the tile. */
 #define MIN_SIFTED_NODES 64
 
-struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_rect *tile)
+static struct csg_tile_box box_of(const struct csg_tiler *tiler, const struct csg_rect *tile)
 {
     const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
     double center[2], half[2];
@@ -82,8 +82,8 @@ bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree)
         !csg_array_reserve(&parts->missed, tree->num))
         return false;
     for (int i = 0; i < CSG_TILE_LANES; i++) {
-        const struct csg_tile_box box = csg_tiler_box(tiler, &parts->rects[i < parts->num ? i : 0]);
-        csg_tile_boxes_set(&parts->boxes, i, &box);
+        parts->tiles[i] = box_of(tiler, &parts->rects[i < parts->num ? i : 0]);
+        csg_tile_boxes_set(&parts->boxes, i, &parts->tiles[i]);
     }
     for (size_t i = 0; i < tree->num; i++) {
         const uint32_t leaf = tree->data[i].leaf;
@@ -98,8 +98,7 @@ bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree)
 }
 
 /* Of the leaf at node i of the tree that was looked at. */
-static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler,
-                                        const struct csg_tile_box *box, uint32_t leaf, uint32_t i)
+static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler, uint32_t leaf, uint32_t i)
 {
     const struct csg_tile_parts *parts = &tiler->parts;
     const struct csg_leaf_ranges *ranges = &parts->ranges.data[i];
@@ -111,25 +110,23 @@ static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler,
     if (has_lanes(tiler, leaf))
         return (struct csg_leaf_range){csg_range_in_lane(&ranges->entry, parts->at),
                                        csg_range_in_lane(&ranges->exit, parts->at)};
-    return csg_range_of_surface(csg_terms_view(tiler->terms, leaf), box);
+    return csg_range_of_surface(csg_terms_view(tiler->terms, leaf), csg_tiler_box(tiler));
 }
 
 /* What is known of the leaf at node i in the part at hand. */
-static struct csg_leaf_range *note_leaf(struct csg_tiler *tiler, const struct csg_tile_box *box,
-                                        uint32_t leaf, uint32_t i)
+static struct csg_leaf_range *note_leaf(struct csg_tiler *tiler, uint32_t leaf, uint32_t i)
 {
     struct csg_leaf_range *range = csg_tiler_range(tiler, leaf);
-    *range = leaf_range(tiler, box, leaf, i);
+    *range = leaf_range(tiler, leaf, i);
     tiler->origins.data[tiler->terms->index[leaf]] = i;
     return range;
 }
 
-static void fill_leaves(struct csg_tiler *tiler, const struct csg_tree *tree,
-                        const struct csg_tile_box *box)
+static void fill_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
 {
     for (uint32_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF)
-            note_leaf(tiler, box, tree->data[i].leaf, i);
+            note_leaf(tiler, tree->data[i].leaf, i);
 }
 
 static void fill_nodes(struct csg_tiler *tiler, const struct csg_tree *tree)
@@ -264,13 +261,12 @@ static bool sift(struct csg_tiler *tiler, struct csg_tile_task *task)
 }
 
 /* Leaves out what does not matter in the tile. false: out of memory. */
-static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task,
-                 const struct csg_tile_box *box)
+static bool fold(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
     fill_nodes(tiler, &task->tree);
     bool found = judge_leaves(tiler, &task->tree);
-    found |= !has_repeats(tiler) &&
-             csg_dominate(tiler->terms, &task->tree, tiler->ranges.data, box, tiler->members.data);
+    found |= !has_repeats(tiler) && csg_dominate(tiler->terms, &task->tree, tiler->ranges.data,
+                                                 csg_tiler_box(tiler), tiler->members.data);
     if (found && !csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known))
         return false;
     task->flat = csg_tiler_is_flat(&task->tree);
@@ -324,14 +320,13 @@ static void sift_flat(const struct csg_tiler *tiler, struct csg_tile_task *task)
 
 /* Of a flat tree leaves what rays meet, and finds the keys that all of it has in common. false:
  * that is nothing. */
-static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree,
-                      const struct csg_tile_box *box, struct csg_range *common)
+static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree, struct csg_range *common)
 {
     uint32_t num = 1;
     *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
-        const struct csg_leaf_range *leaf = note_leaf(tiler, box, node->leaf, i);
+        const struct csg_leaf_range *leaf = note_leaf(tiler, node->leaf, i);
         if (!node->negated) {
             common->lo = csg_larger(common->lo, leaf->entry.lo);
             common->hi = csg_smaller(common->hi, leaf->exit.hi);
@@ -345,13 +340,12 @@ static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree,
 }
 
 /* The same as fold, for a flat tree. */
-static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
-                      const struct csg_tile_box *box)
+static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
     struct csg_tree *tree = &task->tree;
     uint8_t *known = tiler->terms->known;
     struct csg_range common;
-    bool any = meet_flat(tiler, tree, box, &common); /* is left */
+    bool any = meet_flat(tiler, tree, &common); /* is left */
     common.hi = csg_smaller(common.hi, any ? front_of(tiler, tree) : 0);
     uint32_t num = 1;
     for (uint32_t i = 1; i < tree->num && any; i++) {
@@ -361,7 +355,8 @@ static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task,
         any = keep_flat(tree, i, known[leaf], &num);
     }
     end_flat(tree, num);
-    if (any && csg_dominate(tiler->terms, tree, tiler->ranges.data, box, tiler->members.data)) {
+    if (any && csg_dominate(tiler->terms, tree, tiler->ranges.data, csg_tiler_box(tiler),
+                            tiler->members.data)) {
         num = 1;
         for (uint32_t i = 1; i < tree->num; i++)
             keep_flat(tree, i, known[tree->data[i].leaf], &num);
@@ -388,12 +383,11 @@ bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task)
         return true;
     if (!reserve(tiler, task->tree.num))
         return false;
-    const struct csg_tile_box box = csg_tiler_box(tiler, &tiler->parts.rects[tiler->parts.at]);
-    csg_band_list_narrow(&task->bands, tiler->terms, &box, tiler->stacks.data);
+    csg_band_list_narrow(&task->bands, tiler->terms, csg_tiler_box(tiler), tiler->stacks.data);
     if (task->flat) {
-        fold_flat(tiler, task, &box);
+        fold_flat(tiler, task);
         return true;
     }
-    fill_leaves(tiler, &task->tree, &box);
-    return sift(tiler, task) && (task->tree.num == 0 || fold(tiler, task, &box));
+    fill_leaves(tiler, &task->tree);
+    return sift(tiler, task) && (task->tree.num == 0 || fold(tiler, task));
 }

@@ -141,9 +141,9 @@ static int cut(const struct csg_tiler *tiler, const struct csg_tile_task *task,
     return num;
 }
 
-static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task,
-                       const struct csg_tile_box *box)
+static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task)
 {
+    const struct csg_tile_box *box = csg_tiler_box(tiler);
     const struct csg_step *step = &tiler->scan.program.data[i];
     if (step->flags & CSG_RECORD_BOUND)
         return csg_record_add_bound(tiler->terms, tiler->scan.bounds.data[i]);
@@ -179,8 +179,6 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
 {
     struct csg_chain_finder chain = {.rank = 0};
     const struct csg_frame *frame = tiler->terms->frame;
-    const struct csg_rect rect = csg_tile_rect(task);
-    const struct csg_tile_box box = csg_tiler_box(tiler, &rect);
     if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
                        !draw->around_eye))
         return false;
@@ -193,7 +191,7 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
         const size_t at = frame->texels.num;
         draw->bands |= (flags & CSG_RECORD_BANDS) != 0;
         draw->surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
-        if (!add_record(tiler, i, task, &box))
+        if (!add_record(tiler, i, task))
             return false;
         csg_chain_add(&chain, step, frame->texels.data + at);
     }
@@ -204,13 +202,13 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
 }
 
 /* Draws the tile by its records. */
-static bool add_draw(struct csg_tiler *tiler, const struct csg_tile_task *task,
+static bool add_draw(struct csg_tiler *tiler, const struct csg_tile_task *task, size_t num_leaves,
                      struct csg_draw *draw)
 {
     struct csg_frame *frame = tiler->terms->frame;
     const struct csg_rect rect = csg_tile_rect(task);
     csg_draw_set_rect(draw, &frame->screen, &rect);
-    csg_frame_count(frame, &rect, csg_tree_count_leaves(&task->tree) + task->bands.num);
+    csg_frame_count(frame, &rect, num_leaves + task->bands.num);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
     return draw->instance.records[0] == draw->instance.records[1] ||
            csg_array_push(&frame->draws, *draw);
@@ -262,14 +260,15 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
 }
 
 /* Draws a tile; *drawn is false where it is to be cut all the same. */
-static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task, bool *drawn)
+static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task, size_t num_leaves,
+                      bool *drawn)
 {
     struct csg_draw draw = *tiler->draw;
     if (!put_records(tiler, task, &draw))
         return false;
-    *drawn = !has_many_planes(tiler, task, &draw, csg_tree_count_leaves(&task->tree));
+    *drawn = !has_many_planes(tiler, task, &draw, num_leaves);
     if (*drawn)
-        return add_draw(tiler, task, &draw);
+        return add_draw(tiler, task, num_leaves, &draw);
     tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];
     return true;
 }
@@ -277,11 +276,12 @@ static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task,
 /* What was folded last is drawn, or waits to be cut. Takes the task. */
 static bool settle(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
+    const size_t num_leaves = csg_tree_count_leaves(&task->tree);
     bool ok = true, done = task->tree.num == 0;
     if (done)
         tiler->terms->frame->tiles_empty++;
-    else if (!is_worth_cutting(tiler, task, csg_tree_count_leaves(&task->tree)))
-        ok = draw_tile(tiler, task, &done);
+    else if (!is_worth_cutting(tiler, task, num_leaves))
+        ok = draw_tile(tiler, task, num_leaves, &done);
     if (ok && !done && csg_array_push(&tiler->tasks, *task))
         return true;
     drop_task(tiler, task);

@@ -22,7 +22,8 @@ struct csg_tile_task {
 struct csg_tile_parts {
     int num, at; /* at: the one at hand */
     struct csg_rect rects[CSG_TILE_LANES];
-    struct csg_tile_boxes boxes;
+    struct csg_tile_box tiles[CSG_TILE_LANES];
+    struct csg_tile_boxes boxes; /* the same, for csg_ranges_of_leaf */
     CSG_ARRAY(struct csg_leaf_ranges) ranges;
     CSG_ARRAY(uint8_t) missed; /* by the rectangles of leaves: bits of parts */
 };
@@ -66,7 +67,11 @@ static inline const struct csg_leaf_ranges *csg_tiler_ranges(const struct csg_ti
     return &tiler->parts.ranges.data[tiler->origins.data[tiler->terms->index[leaf]]];
 }
 
-struct csg_tile_box csg_tiler_box(const struct csg_tiler *tiler, const struct csg_rect *tile);
+/* The part at hand. */
+static inline const struct csg_tile_box *csg_tiler_box(const struct csg_tiler *tiler)
+{
+    return &tiler->parts.tiles[tiler->parts.at];
+}
 
 /* Whether the tree is one intersection of leaves, none of them spare: a plate with holes, and what
  * most tiles of other objects come to. */

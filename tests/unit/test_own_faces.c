@@ -91,6 +91,18 @@ static void check_faces(const struct csg_surface *surface)
     CHECK(num_joined == 0, "%zu other faces are on another one's plane", num_joined);
 }
 
+/* As csg_surfaces_build does. */
+static bool find_faces(struct csg_surface *surface)
+{
+    csg_surface_measure(surface);
+    const struct csg_box box = csg_surface_box(surface);
+    surface->extents = csg_surface_extents(surface, &csg_map_identity);
+    const bool found =
+        surface->extents && csg_surface_build(surface) && csg_own_faces_find(surface, &box, 2);
+    CHECK(found, "out of memory");
+    return found;
+}
+
 /* So many sheets upon each other that nobody compares them: all are on one plane. */
 static void check_stack(void)
 {
@@ -103,12 +115,7 @@ static void check_stack(void)
             csg_array_push(&surface->points, csg_vec3(j == 1, j == 2, random_between(0, 1e-14)));
         add_triangle(surface, 3 * i, 3 * i + 1, 3 * i + 2);
     }
-    csg_surface_measure(surface);
-    const struct csg_box box = csg_surface_box(surface);
-    surface->extents = csg_surface_extents(surface, &csg_map_identity);
-    const bool found =
-        surface->extents && csg_surface_build(surface) && csg_own_faces_find(surface, &box, 2);
-    CHECK(found, "out of memory");
+    const bool found = find_faces(surface);
     CHECK(!found || surface->num_own == 1, "a stack of sheets has %zu planes", surface->num_own);
     csg_surface_destroy(surface);
 }
@@ -121,12 +128,7 @@ int main(void)
     add_points(surface);
     add_triangles(surface);
     add_lid(surface);
-    csg_surface_measure(surface);
-    const struct csg_box box = csg_surface_box(surface);
-    surface->extents = csg_surface_extents(surface, &csg_map_identity);
-    const bool found =
-        surface->extents && csg_surface_build(surface) && csg_own_faces_find(surface, &box, 2);
-    CHECK(found, "out of memory");
+    const bool found = find_faces(surface);
     if (found)
         check_faces(surface);
     csg_surface_destroy(surface);
