@@ -7,7 +7,7 @@
 
 uniform vec4 csg_view_depth;
 uniform vec4 csg_view_key;
-uniform vec2 csg_window;      /* of the band that is drawn, in the whole picture */
+uniform vec2 csg_window;      /* of the strip that is drawn, in the whole picture */
 uniform vec2 csg_at;          /* the reference pixel */
 uniform float csg_depth_bias; /* overlays win over what they repeat */
 uniform vec4 csg_light;

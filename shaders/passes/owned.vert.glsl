@@ -7,7 +7,7 @@ layout(location = 1) in ivec4 csg_range; /* begin, end; places of the first one'
 layout(location = 2) in int csg_width;   /* of the picture of owners */
 
 flat out ivec4 csg_members;
-flat out ivec2 csg_row; /* numbers a row, number of the band's first pixel */
+flat out ivec2 csg_row; /* numbers a row, number of the strip's first pixel */
 
 void main()
 {

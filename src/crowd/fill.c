@@ -238,8 +238,8 @@ static void put_owners(void *user, size_t task)
 {
     const struct filler *filler = user;
     const struct csg_owners *owners = &filler->cull.owners;
-    const int end = csg_band_begin(&filler->cull, task + 1);
-    for (int y = csg_band_begin(&filler->cull, task); y < end; y++) {
+    const int end = csg_strip_begin(owners->height, task + 1);
+    for (int y = csg_strip_begin(owners->height, task); y < end; y++) {
         const uint32_t *who = owners->who + (size_t)y * owners->stride;
         int32_t *out = filler->frame->crowd.owners.data + (size_t)y * (size_t)owners->width;
         for (int x = 0; x < owners->width; x++)
@@ -257,7 +257,7 @@ static bool fill_owners(struct filler *filler)
     if (!csg_array_reserve(&out->owners, num))
         return false;
     out->owners.num = num;
-    csg_parallel(filler->frame->num_threads, CSG_NUM_BANDS, put_owners, filler);
+    csg_parallel(filler->frame->num_threads, CSG_NUM_STRIPS, put_owners, filler);
     filler->frame->proxy_pixels += filler->cull.owned.num;
     filler->frame->solid_tests += filler->cull.owned.num;
     return true;

@@ -5,27 +5,17 @@
 
 #include "common/parallel.h"
 
-/* Between the nearest and the farthest key. */
-enum { NUM_BINS = 2048 };
-
-/* Per block and band: how many candidates, then where the next of them goes. */
-typedef uint32_t places[CSG_NUM_BANDS];
+/* Per block and strip: how many candidates, then where the next of them goes. */
+typedef uint32_t places[CSG_NUM_STRIPS];
 
 struct finder {
     const struct csg_cull *cull;
     struct csg_occluders *occluders;
-    bool opaque;      /* or else translucent */
-    uint8_t *band_of; /* by row */
+    bool opaque;       /* or else translucent */
+    uint8_t *strip_of; /* by row */
     places *next;
     size_t *num; /* per block, of those */
 };
-
-int csg_band_begin(const struct csg_cull *cull, size_t band)
-{
-    const size_t height = (size_t)cull->view.frame->screen.height;
-    const size_t row = height * band / CSG_NUM_BANDS;
-    return (int)(band < CSG_NUM_BANDS ? row - row % CSG_RELIEF_SQUARE : height);
-}
 
 bool csg_hides_others(const struct csg_cull *cull, const struct csg_candidate *candidate)
 {
@@ -40,16 +30,7 @@ static void find_keys(struct finder *finder)
         lo = fminf(lo, cull->blocks.data[i].lo_key);
         hi = fmaxf(hi, cull->blocks.data[i].hi_key);
     }
-    finder->occluders->lo = lo;
-    finder->occluders->scale = hi > lo ? NUM_BINS / (hi - lo) : 0;
-}
-
-static void find_bands(struct finder *finder)
-{
-    for (size_t band = 0; band < CSG_NUM_BANDS; band++)
-        for (int y = csg_band_begin(finder->cull, band); y < csg_band_begin(finder->cull, band + 1);
-             y++)
-            finder->band_of[y] = (uint8_t)band;
+    finder->occluders->bins = csg_key_bins(lo, hi);
 }
 
 static void count_block(void *user, size_t task)
@@ -61,9 +42,9 @@ static void count_block(void *user, size_t task)
         if (csg_hides_others(finder->cull, candidate) != finder->opaque)
             continue;
         finder->num[task]++;
-        for (int band = finder->band_of[candidate->lo[1]];
-             band <= finder->band_of[candidate->hi[1]]; band++)
-            finder->next[task][band]++;
+        for (int strip = finder->strip_of[candidate->lo[1]];
+             strip <= finder->strip_of[candidate->hi[1]]; strip++)
+            finder->next[task][strip]++;
     }
 }
 
@@ -75,9 +56,9 @@ static void place_block(void *user, size_t task)
         const struct csg_candidate *candidate = &finder->cull->candidates[i];
         if (csg_hides_others(finder->cull, candidate) != finder->opaque)
             continue;
-        for (int band = finder->band_of[candidate->lo[1]];
-             band <= finder->band_of[candidate->hi[1]]; band++)
-            finder->occluders->found[finder->next[task][band]++] = (uint32_t)i;
+        for (int strip = finder->strip_of[candidate->lo[1]];
+             strip <= finder->strip_of[candidate->hi[1]]; strip++)
+            finder->occluders->found[finder->next[task][strip]++] = (uint32_t)i;
     }
 }
 
@@ -86,15 +67,15 @@ static size_t plan(struct finder *finder)
 {
     struct csg_occluders *occluders = finder->occluders;
     size_t sum = 0;
-    for (size_t band = 0; band < CSG_NUM_BANDS; band++) {
-        occluders->begin[band] = sum;
+    for (size_t strip = 0; strip < CSG_NUM_STRIPS; strip++) {
+        occluders->begin[strip] = sum;
         for (size_t i = 0; i < finder->cull->blocks.num; i++) {
-            const size_t num = finder->next[i][band];
-            finder->next[i][band] = (uint32_t)sum;
+            const size_t num = finder->next[i][strip];
+            finder->next[i][strip] = (uint32_t)sum;
             sum += num;
         }
     }
-    occluders->begin[CSG_NUM_BANDS] = sum;
+    occluders->begin[CSG_NUM_STRIPS] = sum;
     for (size_t i = 0; i < finder->cull->blocks.num; i++)
         occluders->num += finder->num[i];
     return sum;
@@ -106,7 +87,6 @@ static bool find(struct finder *finder)
     struct csg_occluders *occluders = finder->occluders;
     const int num_threads = cull->view.frame->num_threads;
     find_keys(finder);
-    find_bands(finder);
     csg_parallel(num_threads, cull->blocks.num, count_block, finder);
     const size_t num = plan(finder);
     occluders->found = malloc((num + 1) * sizeof *occluders->found);
@@ -121,36 +101,31 @@ bool csg_occluders_fill(struct csg_occluders *occluders, const struct csg_cull *
 {
     struct finder finder = {.cull = cull, .occluders = occluders, .opaque = opaque};
     *occluders = (struct csg_occluders){0};
-    finder.band_of = malloc((size_t)cull->view.frame->screen.height + 1);
+    finder.strip_of = csg_strips_of_rows(cull->view.frame->screen.height);
     finder.next = calloc(cull->blocks.num + 1, sizeof *finder.next);
     finder.num = calloc(cull->blocks.num + 1, sizeof *finder.num);
-    const bool ok = finder.band_of && finder.next && finder.num && find(&finder);
-    free(finder.band_of);
+    const bool ok = finder.strip_of && finder.next && finder.num && find(&finder);
+    free(finder.strip_of);
     free(finder.next);
     free(finder.num);
     return ok;
 }
 
-static int bin_of(const struct csg_occluders *occluders, const struct csg_candidate *candidate)
+void csg_occluders_sort(struct csg_occluders *occluders, const struct csg_cull *cull, size_t strip)
 {
-    const float place = (candidate->key - occluders->lo) * occluders->scale;
-    return place < NUM_BINS ? place > 0 ? (int)place : 0 : NUM_BINS - 1;
-}
-
-void csg_occluders_sort(struct csg_occluders *occluders, const struct csg_cull *cull, size_t band)
-{
-    const size_t begin = occluders->begin[band], end = occluders->begin[band + 1];
-    uint32_t next[NUM_BINS] = {0}, sum = (uint32_t)begin;
+    const size_t begin = occluders->begin[strip], end = occluders->begin[strip + 1];
+    uint32_t next[CSG_NUM_KEY_BINS] = {0}, sum = (uint32_t)begin;
     for (size_t i = begin; i < end; i++)
-        next[bin_of(occluders, &cull->candidates[occluders->found[i]])]++;
-    for (int i = 0; i < NUM_BINS; i++) {
+        next[csg_key_bin(&occluders->bins, cull->candidates[occluders->found[i]].key)]++;
+    for (int i = 0; i < CSG_NUM_KEY_BINS; i++) {
         const uint32_t num = next[i];
         next[i] = sum;
         sum += num;
     }
     for (size_t i = begin; i < end; i++) {
         const uint32_t found = occluders->found[i];
-        occluders->order[next[bin_of(occluders, &cull->candidates[found])]++] = found;
+        occluders->order[next[csg_key_bin(&occluders->bins, cull->candidates[found].key)]++] =
+            found;
     }
 }
 

@@ -63,7 +63,7 @@ static bool prepare(const struct csg_cull *cull, const struct csg_relief *relief
     return terms && csg_cast_init(cast, class->has_quadric, class->num_planes, terms, &rect, noise);
 }
 
-/* Terms for a band: those that all may use are found by the one in which the occluder begins. */
+/* Terms for a strip: those that all may use are found by the one in which the occluder begins. */
 static const float *terms_in(struct csg_cull *cull, const struct csg_candidate *occluder, int begin,
                              float *own)
 {
@@ -79,8 +79,8 @@ struct drawing {
     struct csg_occluders occluders;
     struct csg_relief *reliefs;
     size_t num_reliefs;
-    const struct csg_relief *base;         /* what hides besides; NULL: nothing */
-    struct csg_owned owned[CSG_NUM_BANDS]; /* of the first relief, where it has owners */
+    const struct csg_relief *base;          /* what hides besides; NULL: nothing */
+    struct csg_owned owned[CSG_NUM_STRIPS]; /* of the first relief, where it has owners */
 };
 
 static bool may_show(const struct drawing *drawing, float key, const struct csg_pixels *pixels)
@@ -119,7 +119,7 @@ static void draw_occluder(const struct drawing *drawing, const struct csg_candid
         atomic_store_explicit(&drawing->cull->drawn[occluder->member], true, memory_order_relaxed);
 }
 
-static void clear_band(const struct drawing *drawing, int begin, int end)
+static void clear_strip(const struct drawing *drawing, int begin, int end)
 {
     for (size_t i = 0; i < drawing->num_reliefs; i++)
         csg_relief_clear(&drawing->reliefs[i], drawing->base, begin, end);
@@ -128,14 +128,15 @@ static void clear_band(const struct drawing *drawing, int begin, int end)
 }
 
 /* The nearest first: most of the others then are found to be hidden before their terms are. */
-static void draw_band(void *user, size_t task)
+static void draw_strip(void *user, size_t task)
 {
     struct drawing *drawing = user;
     struct csg_occluders *occluders = &drawing->occluders;
     struct csg_cull *cull = drawing->cull;
-    const int begin = csg_band_begin(cull, task), end = csg_band_begin(cull, task + 1) - 1;
+    const int height = screen_of(cull)->height;
+    const int begin = csg_strip_begin(height, task), end = csg_strip_begin(height, task + 1) - 1;
     float own[12 + 4 * CSG_CROWD_MAX_PLANES];
-    clear_band(drawing, begin, end + 1);
+    clear_strip(drawing, begin, end + 1);
     csg_occluders_sort(occluders, cull, task);
     for (size_t i = occluders->begin[task]; i < occluders->begin[task + 1]; i++) {
         const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
@@ -169,15 +170,15 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* Of all bands. */
-static struct csg_owned add_owned(const struct csg_owned bands[CSG_NUM_BANDS])
+/* Of all strips. */
+static struct csg_owned add_owned(const struct csg_owned strips[CSG_NUM_STRIPS])
 {
-    struct csg_owned all = bands[0];
-    for (size_t i = 1; i < CSG_NUM_BANDS; i++) {
-        all.num += bands[i].num;
+    struct csg_owned all = strips[0];
+    for (size_t i = 1; i < CSG_NUM_STRIPS; i++) {
+        all.num += strips[i].num;
         for (int j = 0; j < 2; j++) {
-            all.lo[j] = smaller(all.lo[j], bands[i].lo[j]);
-            all.hi[j] = larger(all.hi[j], bands[i].hi[j]);
+            all.lo[j] = smaller(all.lo[j], strips[i].lo[j]);
+            all.hi[j] = larger(all.hi[j], strips[i].hi[j]);
         }
     }
     return all;
@@ -229,7 +230,7 @@ bool csg_occlusion_draw(struct csg_cull *cull)
         cull->has_relief = true;
         ok = init_opaque(cull);
         if (ok)
-            csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, &drawing);
+            csg_parallel(cull->view.frame->num_threads, CSG_NUM_STRIPS, draw_strip, &drawing);
         if (ok && cull->relief.owners)
             cull->owned = add_owned(drawing.owned);
     }
@@ -312,7 +313,7 @@ static bool hide_translucent(struct drawing *drawing)
     drawing->base = base;
     if (!note_drawn(cull))
         return false;
-    csg_parallel(cull->view.frame->num_threads, CSG_NUM_BANDS, draw_band, drawing);
+    csg_parallel(cull->view.frame->num_threads, CSG_NUM_STRIPS, draw_strip, drawing);
     csg_parallel(cull->view.frame->num_threads, cull->blocks.num, hide_translucent_block, drawing);
     return true;
 }

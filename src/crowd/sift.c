@@ -9,14 +9,15 @@
 #include "common/prefetch.h"
 #include "crowd/occlusion.h"
 #include "crowd/project.h"
+#include "crowd/strips.h"
 #include "crowd/tree_cast.h"
 #include "csg/membership.h"
 
 /* Fewer objects are drawn sooner than compared. */
 enum { MIN_SIFTED = 256 };
 
-/* Objects a task looks at, bands of rows, and steps of their keys. */
-enum { CHUNK = 1024, NUM_BANDS = 16, NUM_BINS = 2048 };
+/* Objects a task looks at. */
+enum { CHUNK = 1024 };
 
 /* So many objects' memory is on its way, and twice as many trees'. */
 enum { PREFETCHED = 6 };
@@ -37,7 +38,7 @@ struct sifted {
     int16_t lo[2], hi[2];
     float key;
     uint8_t state;
-    atomic_bool shows; /* in some band */
+    atomic_bool shows; /* in some strip */
 };
 
 /* What is to be known of so many of them: their keys, how many pixels they cover together, and the
@@ -57,10 +58,10 @@ struct sift {
     struct sifted *sifted; /* one a listed object */
     size_t num, num_chunks;
     struct chunk *chunks;
-    bool casts;                  /* objects hide each other; else only the base hides them */
-    float lo, scale;             /* of keys, for bins */
-    uint32_t *ordered;           /* of each band its objects, roughly the nearest first */
-    size_t begin[NUM_BANDS + 1]; /* of a band in them */
+    bool casts; /* objects hide each other; else only the base hides them */
+    struct csg_key_bins bins;
+    uint32_t *ordered;                /* of each strip its objects, roughly the nearest first */
+    size_t begin[CSG_NUM_STRIPS + 1]; /* of a strip in them */
 };
 
 static const struct csg_object *object_of(const struct sift *sift, size_t i)
@@ -149,32 +150,12 @@ static bool find_range(struct sift *sift)
     struct chunk all = no_chunk;
     for (size_t i = 0; i < sift->num_chunks; i++)
         add_chunk(&all, &sift->chunks[i]);
-    sift->lo = all.lo;
-    sift->scale = all.hi > all.lo ? NUM_BINS / (all.hi - all.lo) : 0;
+    sift->bins = csg_key_bins(all.lo, all.hi);
     return all.num_pixels > 0 &&
            (double)all.num_pixels > MIN_LAYERS * (double)count_pixels(&all.pixels);
 }
 
 /* ---- in which order ----------------------------------------------------------------------- */
-
-static int bin_of(const struct sift *sift, const struct sifted *sifted)
-{
-    const float place = (sifted->key - sift->lo) * sift->scale;
-    return place < NUM_BINS ? place > 0 ? (int)place : 0 : NUM_BINS - 1;
-}
-
-static int band_begin(const struct sift *sift, size_t band)
-{
-    const int row = (int)((size_t)sift->relief.height * band / NUM_BANDS);
-    return band < NUM_BANDS ? row - row % CSG_RELIEF_SQUARE : sift->relief.height;
-}
-
-static void find_bands(const struct sift *sift, uint8_t *band_of)
-{
-    for (size_t band = 0; band < NUM_BANDS; band++)
-        for (int y = band_begin(sift, band); y < band_begin(sift, band + 1); y++)
-            band_of[y] = (uint8_t)band;
-}
 
 /* From counts to places; returns their sum. */
 static size_t add_up(size_t *counts, size_t num)
@@ -190,18 +171,18 @@ static size_t add_up(size_t *counts, size_t num)
 
 static void sort_by_key(const struct sift *sift, uint32_t *sorted)
 {
-    size_t next[NUM_BINS] = {0};
+    size_t next[CSG_NUM_KEY_BINS] = {0};
     for (size_t i = 0; i < sift->num; i++)
         if (is_wanted(&sift->sifted[i]))
-            next[bin_of(sift, &sift->sifted[i])]++;
-    add_up(next, NUM_BINS);
+            next[csg_key_bin(&sift->bins, sift->sifted[i].key)]++;
+    add_up(next, CSG_NUM_KEY_BINS);
     for (size_t i = 0; i < sift->num; i++)
         if (is_wanted(&sift->sifted[i]))
-            sorted[next[bin_of(sift, &sift->sifted[i])]++] = (uint32_t)i;
+            sorted[next[csg_key_bin(&sift->bins, sift->sifted[i].key)]++] = (uint32_t)i;
 }
 
-/* How many there are, and in each band. */
-static size_t count_wanted(struct sift *sift, const uint8_t *band_of)
+/* How many there are, and in each strip. */
+static size_t count_wanted(struct sift *sift, const uint8_t *strip_of)
 {
     size_t num = 0;
     for (size_t i = 0; i < sift->num; i++) {
@@ -209,31 +190,30 @@ static size_t count_wanted(struct sift *sift, const uint8_t *band_of)
         if (!is_wanted(sifted))
             continue;
         num++;
-        for (int band = band_of[sifted->lo[1]]; band <= band_of[sifted->hi[1]]; band++)
-            sift->begin[band]++;
+        for (int strip = strip_of[sifted->lo[1]]; strip <= strip_of[sifted->hi[1]]; strip++)
+            sift->begin[strip]++;
     }
     return num;
 }
 
 static bool order(struct sift *sift)
 {
-    uint8_t *band_of = malloc((size_t)sift->relief.height + 1);
+    uint8_t *strip_of = csg_strips_of_rows(sift->relief.height);
     uint32_t *sorted = malloc((sift->num + 1) * sizeof *sorted);
-    if (band_of && sorted) {
-        find_bands(sift, band_of);
+    if (strip_of && sorted) {
         sort_by_key(sift, sorted);
-        const size_t num = count_wanted(sift, band_of);
-        size_t next[NUM_BANDS];
-        sift->begin[NUM_BANDS] = add_up(sift->begin, NUM_BANDS);
+        const size_t num = count_wanted(sift, strip_of);
+        size_t next[CSG_NUM_STRIPS];
+        sift->begin[CSG_NUM_STRIPS] = add_up(sift->begin, CSG_NUM_STRIPS);
         memcpy(next, sift->begin, sizeof next);
-        sift->ordered = malloc((sift->begin[NUM_BANDS] + 1) * sizeof *sift->ordered);
+        sift->ordered = malloc((sift->begin[CSG_NUM_STRIPS] + 1) * sizeof *sift->ordered);
         for (size_t i = 0; i < num && sift->ordered; i++) {
             const struct sifted *sifted = &sift->sifted[sorted[i]];
-            for (int band = band_of[sifted->lo[1]]; band <= band_of[sifted->hi[1]]; band++)
-                sift->ordered[next[band]++] = sorted[i];
+            for (int strip = strip_of[sifted->lo[1]]; strip <= strip_of[sifted->hi[1]]; strip++)
+                sift->ordered[next[strip]++] = sorted[i];
         }
     }
-    free(band_of);
+    free(strip_of);
     free(sorted);
     return sift->ordered != NULL;
 }
@@ -256,7 +236,7 @@ static bool draw(const struct csg_relief *relief, const struct csg_tree_cast *tr
     return shows;
 }
 
-/* The part of an object in a band. Whether it may show there. */
+/* The part of an object in a strip. Whether it may show there. */
 static bool draw_object(const struct sift *sift, size_t i, const struct csg_pixels *pixels)
 {
     const struct sifted *sifted = &sift->sifted[i];
@@ -293,14 +273,15 @@ static void fetch_soon(const struct sift *sift, size_t i, size_t end)
     }
 }
 
-static void draw_band(void *user, size_t band)
+static void draw_strip(void *user, size_t strip)
 {
     struct sift *sift = user;
-    const int begin = band_begin(sift, band), end = band_begin(sift, band + 1);
+    const int begin = csg_strip_begin(sift->relief.height, strip),
+              end = csg_strip_begin(sift->relief.height, strip + 1);
     csg_relief_clear(&sift->relief, sift->base, begin, end);
-    for (size_t i = sift->begin[band]; i < sift->begin[band + 1]; i++) {
+    for (size_t i = sift->begin[strip]; i < sift->begin[strip + 1]; i++) {
         struct sifted *sifted = &sift->sifted[sift->ordered[i]];
-        fetch_soon(sift, i, sift->begin[band + 1]);
+        fetch_soon(sift, i, sift->begin[strip + 1]);
         const struct csg_pixels pixels = {
             {sifted->lo[0], sifted->lo[1] > begin ? sifted->lo[1] : begin},
             {sifted->hi[0], sifted->hi[1] < end ? sifted->hi[1] : end - 1}};
@@ -325,7 +306,7 @@ static bool is_inside_of_any(const struct sift *sift)
 
 static void hide(struct sift *sift)
 {
-    csg_parallel(sift->frame->num_threads, NUM_BANDS, draw_band, sift);
+    csg_parallel(sift->frame->num_threads, CSG_NUM_STRIPS, draw_strip, sift);
     for (size_t i = 0; i < sift->num; i++)
         sift->sifted[i].state = sift->sifted[i].shows ? sift->sifted[i].state : GONE;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
 /*
- * The passes of a band: the geometry pass finds the visible record of every pixel, the shading pass
+ * The passes of a strip: the geometry pass finds the visible record of every pixel, the shading pass
  * gives it normal and colour. Translucent objects, % and # come as further rounds over the same
  * depth buffer, blended.
  */
@@ -42,8 +42,8 @@ static void draw_all_of(const struct csg_picture *picture, const struct csg_batc
         gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
 }
 
-/* Whether some of its rectangle is in the band, or within a pixel of it. */
-static bool is_in_band(const struct csg_picture *picture, const struct csg_draw *draw)
+/* Whether some of its rectangle is in the strip, or within a pixel of it. */
+static bool is_in_strip(const struct csg_picture *picture, const struct csg_draw *draw)
 {
     const double scale = 0.5 * picture->request->height;
     return ((double)draw->instance.rect[3] + 1) * scale >= picture->first_row - 1 &&
@@ -51,7 +51,7 @@ static bool is_in_band(const struct csg_picture *picture, const struct csg_draw 
                picture->first_row + picture->num_rows + 1;
 }
 
-/* Of a large picture's tiles, each band has a few: those that follow each other are drawn at
+/* Of a large picture's tiles, each strip has a few: those that follow each other are drawn at
  * once. */
 static void draw_batch(const struct csg_picture *picture, const struct csg_batch *batch)
 {
@@ -64,7 +64,7 @@ static void draw_batch(const struct csg_picture *picture, const struct csg_batch
     }
     for (uint32_t i = batch->first; i < end; i += part.num + 1) {
         part.first = i;
-        for (part.num = 0; i + part.num < end && is_in_band(picture, &draws[i + part.num]);)
+        for (part.num = 0; i + part.num < end && is_in_strip(picture, &draws[i + part.num]);)
             part.num++;
         if (part.num > 0)
             draw_all_of(picture, &part);
@@ -146,7 +146,7 @@ static int clamp_pixel(double x, int size)
 }
 
 /* Only what is inside of the draws' rectangles needs shading, with a pixel more for the rounding of
- * their corners. false: nothing of the band. */
+ * their corners. false: nothing of the strip. */
 static bool set_shaded_part(const struct csg_picture *picture, const struct round *round)
 {
     const int width = picture->request->width, rows = picture->num_rows;
@@ -275,7 +275,7 @@ static void draw_directly(const struct csg_picture *picture)
 
 /* Distances and leaves are those of all solids. Where some of them are translucent, colours start
  * anew with the opaque ones; the others come over them. */
-void csg_passes_draw_band(const struct csg_picture *picture)
+void csg_passes_draw_strip(const struct csg_picture *picture)
 {
     const struct round all = {.geometry = true};
     const struct round opaque = {.paint = CSG_LAYER_MODEL, .object = CSG_ANY_OBJECT};

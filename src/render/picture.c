@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 
-/* A frame: what it takes is chosen and handed over, then drawn, large pictures in bands. */
+/* A frame: what it takes is chosen and handed over, then drawn, large pictures in strips. */
 
 #include "render/picture.h"
 
@@ -12,7 +12,7 @@
 #include "render/direct.h"
 #include "render/inputs.h"
 
-#define MAX_BAND_PIXELS (4 << 20)
+#define MAX_STRIP_PIXELS (4 << 20)
 #define PROGRESS_AFTER_MS 1000
 
 static void bind_textures(const struct csg_picture *picture)
@@ -26,14 +26,14 @@ static void bind_textures(const struct csg_picture *picture)
     gl->BindTexture(GL_TEXTURE_BUFFER, picture->renderer->data_texture);
 }
 
-static bool draw_band(struct csg_picture *picture, float *pixels)
+static bool draw_strip(struct csg_picture *picture, float *pixels)
 {
     struct csgcast_stats *stats = &picture->renderer->stats;
     const double start = csg_clock_ms();
-    csg_passes_draw_band(picture);
+    csg_passes_draw_strip(picture);
     picture->gl->Finish(); /* reading waits for it anyway */
     const double drawn = csg_clock_ms();
-    csg_picture_read_band(picture, pixels);
+    csg_picture_read_strip(picture, pixels);
     const bool ok = !picture->batches.may_give_up ||
                     csg_unfinished_fill(picture->renderer, picture->request, picture->visible,
                                         picture->first_row, picture->num_rows);
@@ -54,10 +54,10 @@ static void tell(const struct csg_picture *picture, double *told)
                   "%d of %d rows drawn", done, picture->request->height);
 }
 
-static bool draw_bands(struct csg_picture *picture)
+static bool draw_strips(struct csg_picture *picture)
 {
     const struct csg_request *request = picture->request;
-    int rows = MAX_BAND_PIXELS / request->width;
+    int rows = MAX_STRIP_PIXELS / request->width;
     rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
     const struct csg_targets_use use = {picture->batches.direct, picture->bytes,
                                         picture->want_geometry, picture->want_leaf};
@@ -78,7 +78,7 @@ static bool draw_bands(struct csg_picture *picture)
     for (int row = 0; row < request->height && ok; row += rows) {
         picture->first_row = row;
         picture->num_rows = rows < request->height - row ? rows : request->height - row;
-        ok = draw_band(picture, pixels);
+        ok = draw_strip(picture, pixels);
         tell(picture, &told);
     }
     free(picture->visible);
@@ -183,7 +183,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     renderer->stats.cpu_ms = csg_clock_ms() - start;
     const bool ok =
         csg_batches_fill(&picture.batches, renderer, request) && prepare_shading(&picture) &&
-        csg_upload_frame(renderer, request->scene->keeps_structure) && draw_bands(&picture);
+        csg_upload_frame(renderer, request->scene->keeps_structure) && draw_strips(&picture);
     csg_picture_count(&picture);
     free(picture.batches.data);
     return ok;

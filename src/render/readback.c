@@ -13,7 +13,7 @@
 /* Memory that is used again is faster than memory that is new. */
 #define MAX_PIXELS_AT_ONCE (1 << 15)
 
-/* Some rows of a band. */
+/* Some rows of a strip. */
 struct rows {
     int first, num;
     float *pixels;
@@ -31,7 +31,7 @@ static void read_attachment(const struct csg_picture *picture, GLenum attachment
                    rows->pixels);
 }
 
-/* The caller's row of a band's row. */
+/* The caller's row of a strip's row. */
 static size_t image_row(const struct csg_picture *picture, int row)
 {
     return (size_t)(picture->request->height - 1 - picture->first_row - row);
@@ -129,7 +129,7 @@ int csg_picture_rows_at_once(const struct csg_picture *picture)
     return most < 1 ? 1 : most < picture->num_rows ? most : picture->num_rows;
 }
 
-void csg_picture_read_band(const struct csg_picture *picture, float *pixels)
+void csg_picture_read_strip(const struct csg_picture *picture, float *pixels)
 {
     const int most = csg_picture_rows_at_once(picture);
     if (picture->bytes) {

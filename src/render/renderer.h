@@ -102,7 +102,7 @@ void csg_cells_drop(struct csgcast_renderer *renderer);
  * message, on failure. */
 bool csg_upload_frame(struct csgcast_renderer *renderer, bool keeps);
 
-/* Casts the pixels of the band at first_row (from the bottom) that visible marks as
+/* Casts the pixels of the strip at first_row (from the bottom) that visible marks as
  * CSG_UNFINISHED on the CPU. visible: two words a pixel; NULL where colours were drawn directly, of
  * which the unfinished ones have an alpha of 0. false: out of memory. */
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,

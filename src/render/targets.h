@@ -7,7 +7,7 @@
 #include "gl/context.h"
 
 struct csg_targets {
-    int width, height;                         /* of one band */
+    int width, height;                         /* of one strip */
     GLuint geometry_fbo, shade_fbo, bytes_fbo; /* 0: not asked for yet, as all textures */
     GLuint visible; /* RG32UI: what shaders/passes/geometry.frag.glsl writes */
     GLuint depth;
@@ -22,7 +22,7 @@ struct csg_targets_use {
     bool geometry, leaf; /* as well */
 };
 
-/* (Re)allocates for bands of that size. What is there already stays. false, with a message, when
+/* (Re)allocates for strips of that size. What is there already stays. false, with a message, when
  * the driver refuses. */
 bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
                         const struct csg_targets_use *use);

@@ -5,8 +5,8 @@
 #include "reference/reference.h"
 #include "render/renderer.h"
 
-/* A band as the driver keeps it, its lowest row first. */
-struct band {
+/* A strip as the driver keeps it, its lowest row first. */
+struct strip {
     const uint32_t *visible; /* two words a pixel */
     const uint8_t *colors;   /* without visible: the picture */
     int width, top;          /* the row of the picture that is its highest */
@@ -15,11 +15,11 @@ struct band {
 
 static bool is_unfinished(const void *user, int x, int y)
 {
-    const struct band *band = user;
-    if (!band->visible)
-        return band->colors[4 * ((size_t)y * (size_t)band->width + (size_t)x) + 3] == 0;
-    const size_t row = (size_t)(band->num_rows - 1 - (y - band->top));
-    return band->visible[2 * (row * (size_t)band->width + (size_t)x) + 1] == CSG_UNFINISHED;
+    const struct strip *strip = user;
+    if (!strip->visible)
+        return strip->colors[4 * ((size_t)y * (size_t)strip->width + (size_t)x) + 3] == 0;
+    const size_t row = (size_t)(strip->num_rows - 1 - (y - strip->top));
+    return strip->visible[2 * (row * (size_t)strip->width + (size_t)x) + 1] == CSG_UNFINISHED;
 }
 
 bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_request *request,
@@ -28,13 +28,13 @@ bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_req
     const struct csg_reference_params params = {&request->frustum,        request->width,
                                                 request->height,          request->scheme,
                                                 request->view->cut_color, renderer->num_threads};
-    const struct band band = {visible, request->image->rgba8, request->width,
-                              request->height - first_row - num_rows, num_rows};
-    const struct csg_reference_part part = {band.top, num_rows, is_unfinished, &band, true};
+    const struct strip strip = {visible, request->image->rgba8, request->width,
+                                request->height - first_row - num_rows, num_rows};
+    const struct csg_reference_part part = {strip.top, num_rows, is_unfinished, &strip, true};
     size_t num = 0;
-    for (int y = band.top; y < band.top + num_rows; y++)
+    for (int y = strip.top; y < strip.top + num_rows; y++)
         for (int x = 0; x < request->width; x++)
-            num += is_unfinished(&band, x, y);
+            num += is_unfinished(&strip, x, y);
     renderer->stats.unfinished_pixels += num;
     return num == 0 || csg_reference_render(request->scene, &params, &part, request->image) ||
            csg_log_memory(&renderer->log);

@@ -22,7 +22,7 @@ struct example {
 static const struct example examples[] = {
     {"nothing", "sphere(r = 0);", 40, 30, NULL},
     {"one sphere", "sphere(r = 3, $fn = 0);", 203, 150, NULL},
-    {"several bands", "difference() { cube([9, 9, 9]); sphere(r = 6); }", 2503, 2100, NULL},
+    {"several strips", "difference() { cube([9, 9, 9]); sphere(r = 6); }", 2503, 2100, NULL},
     {"a difference", "difference() { cube([9, 9, 9]); sphere(r = 6); }", 300, 201, NULL},
     {"a difference in the loop", "difference() { cube([9, 9, 9]); sphere(r = 6); }", 300, 201,
      "loop"},
@@ -110,11 +110,11 @@ static void check_backend(enum csgcast_backend backend)
     csgcast_renderer_destroy(renderer);
 }
 
-/* ---- bands ---- */
+/* ---- strips ---- */
 
-/* Above four million pixels each band draws those tiles only that show in it: the picture is that
+/* Above four million pixels each strip draws those tiles only that show in it: the picture is that
  * of the object as a whole. */
-static void check_bands(void)
+static void check_strips(void)
 {
     static const char text[] =
         "difference() { cube([20, 20, 20]); sphere(r = 13); cylinder(h = 30, r1 = 6, r2 = 6); "
@@ -132,9 +132,9 @@ static void check_bands(void)
     csgcast_renderer_get_stats(renderer, &stats);
     view.variant = "straight";
     ok = ok && csgcast_render(renderer, scene, &view, &as_whole);
-    check(ok && stats.tiles_mixed > 100, "drawn in tiles", "bands");
+    check(ok && stats.tiles_mixed > 100, "drawn in tiles", "strips");
     check(ok && memcmp(tiles, whole, num) == 0 && has_two_colors(whole, num),
-          "the picture of the whole object", "bands");
+          "the picture of the whole object", "strips");
     csgcast_renderer_destroy(renderer);
     csgcast_scene_destroy(scene);
     free(tiles);
@@ -207,7 +207,7 @@ int main(void)
 {
     check_backend(CSGCAST_BACKEND_AUTO);
     check_backend(CSGCAST_BACKEND_REFERENCE);
-    check_bands();
+    check_strips();
     check_files();
     check_deep_files();
     return num_failures ? EXIT_FAILURE : EXIT_SUCCESS;
