@@ -27,9 +27,9 @@ static bool ball_of(const struct csgcast_scene *scene, uint32_t leaf, struct bal
 
 /*
  * Whether outer holds what inner has in the box, and margin around that. With g = |x - c|^2 - r^2,
- * at most 0 inside, g of outer less g of inner is affine, so its maximum over the box is known: below
- * -h, h > 0, g of outer is below -h where inner is. To the surface of outer it is further from there than
- * h / 2 r.
+ * at most 0 inside, g of outer less g of inner is affine, so its maximum over the box is known:
+ * below -h, h > 0, g of outer is below -h where inner is. To the surface of outer it is further
+ * from there than h / 2 r.
  */
 static bool holds(const struct ball *outer, const struct ball *inner, const struct csg_box *box,
                   double margin)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 
 /*
- * The passes of a strip: the geometry pass finds the visible record of every pixel, the shading pass
- * gives it normal and colour. Translucent objects, % and # come as further rounds over the same
- * depth buffer, blended.
+ * The passes of a strip: the geometry pass finds the visible record of every pixel, the shading
+ * pass gives it normal and colour. Translucent objects, % and # come as further rounds over the
+ * same depth buffer, blended.
  */
 
 #include "render/picture.h"

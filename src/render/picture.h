@@ -29,8 +29,8 @@ void csg_passes_draw_strip(const struct csg_picture *picture);
 /* A round without objects, for what a driver makes when it first draws. */
 void csg_passes_draw_nothing(const struct csg_picture *picture);
 
-/* Copies the strip that has been drawn to the caller's buffers. pixels: room for four floats a pixel
- * of csg_picture_rows_at_once rows; NULL where only bytes are asked for. */
+/* Copies the strip that has been drawn to the caller's buffers. pixels: room for four floats a
+ * pixel of csg_picture_rows_at_once rows; NULL where only bytes are asked for. */
 int csg_picture_rows_at_once(const struct csg_picture *picture);
 void csg_picture_read_strip(const struct csg_picture *picture, float *pixels);
 

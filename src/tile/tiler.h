@@ -84,8 +84,8 @@ bool csg_tiler_sift(struct csg_tiler *tiler, struct csg_tile_task *task);
 bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree);
 
 /* Leaves of the task's tree, which is the one that was looked at, what matters in the part at
- * hand, its tile; no nodes: nothing does. Finds the ranges of the leaves that stay, and whether the tile is
- * opaque. false: out of memory. */
+ * hand, its tile; no nodes: nothing does. Finds the ranges of the leaves that stay, and whether
+ * the tile is opaque. false: out of memory. */
 bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task);
 
 #endif

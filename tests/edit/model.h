@@ -42,7 +42,8 @@ double model_random(struct model *model, double lo, double hi);
 void model_init(struct model *model, uint64_t seed, int max_leaves);
 
 /* Objects of one solid to three in a grid of places, some of them with flush faces; marked: some
- * under #, % or render(); has_surfaces: some are surfaces of triangles, whose parameters cannot be set. */
+ * under #, % or render(); has_surfaces: some are surfaces of triangles, whose parameters cannot be
+ * set. */
 void model_init_many(struct model *model, uint64_t seed, int num_objects, bool marked,
                      bool has_surfaces);
 
