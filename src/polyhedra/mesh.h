@@ -21,6 +21,7 @@ struct csg_mesh {
     double size;        /* the largest coordinate */
     double rounding;    /* see struct csg_shape */
     bool is_simple;     /* see struct csg_surface */
+    bool keeps_dents;   /* OpenSCAD never takes its hull for it */
     size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
 
@@ -60,6 +61,11 @@ bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps);
  * that take each other back. false: out of memory. */
 bool csg_mesh_films(const struct csg_mesh *mesh, const struct csg_mesh_gaps *gaps,
                     struct csg_mesh *films);
+
+/* Whether the mesh, mapped, is closed and in one piece, and would be convex but for dents whose edges
+ * are bent by at most so many degrees. false: out of memory. */
+bool csg_mesh_has_shallow_dents(const struct csg_mesh *mesh, const struct csg_map *map,
+                                double degrees, bool *has);
 
 /* Times that the surface goes round p. */
 double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);

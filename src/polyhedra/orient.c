@@ -5,13 +5,7 @@
  */
 #include <stdlib.h>
 
-#include "polyhedra/mesh.h"
-
-/* A directed edge, in the list of its end with the smaller number. */
-struct edge {
-    uint32_t high, face;
-    int8_t direction; /* 1: from low to high */
-};
+#include "polyhedra/edges.h"
 
 /* A face in the forest of faces known to belong together. */
 struct link {
@@ -21,56 +15,9 @@ struct link {
 
 struct orient {
     struct csg_mesh *mesh;
-    uint32_t *begin; /* by point: its edges */
-    struct edge *edges;
+    struct csg_mesh_edges edges;
     struct link *links;
 };
-
-static int compare_edges(const void *a, const void *b)
-{
-    const struct edge *x = a, *y = b;
-    if (x->high != y->high)
-        return x->high < y->high ? -1 : 1;
-    return x->face < y->face ? -1 : x->face > y->face;
-}
-
-static uint32_t next_corner(const struct csg_mesh_face *face, uint32_t corner)
-{
-    return corner + 1 < face->end ? corner + 1 : face->begin;
-}
-
-/* Calls for each directed edge of the mesh; counts where place is false. */
-static void scatter(struct orient *orient, bool place)
-{
-    const struct csg_mesh *mesh = orient->mesh;
-    for (uint32_t i = 0; i < mesh->faces.num; i++) {
-        const struct csg_mesh_face *face = &mesh->faces.data[i];
-        for (uint32_t j = face->begin; j < face->end; j++) {
-            const uint32_t a = mesh->corners.data[j];
-            const uint32_t b = mesh->corners.data[next_corner(face, j)];
-            const uint32_t low = a < b ? a : b, high = a < b ? b : a;
-            if (place)
-                orient->edges[orient->begin[low + 1]++] = (struct edge){high, i, a < b ? 1 : -1};
-            else
-                orient->begin[low + 2]++;
-        }
-    }
-}
-
-/* Counting sort by the lower end, then the few edges of each by the higher one. */
-static void list_edges(struct orient *orient)
-{
-    const size_t num = orient->mesh->points.num;
-    scatter(orient, false);
-    for (size_t i = 2; i < num + 2; i++)
-        orient->begin[i] += orient->begin[i - 1];
-    scatter(orient, true);
-    for (size_t i = 0; i < num; i++) {
-        const size_t length = orient->begin[i + 1] - orient->begin[i];
-        if (length > 1)
-            qsort(&orient->edges[orient->begin[i]], length, sizeof *orient->edges, compare_edges);
-    }
-}
 
 /* The root of a face's tree, with the path to it shortened; *turned with regard to it. */
 static uint32_t find_root(struct link *links, uint32_t face, bool *turned)
@@ -105,24 +52,15 @@ static void join(struct link *links, uint32_t a, uint32_t b, bool turned)
     links[x].size += links[y].size;
 }
 
-/* The end of the run of edges at i that have the same ends. */
-static uint32_t run_end(const struct orient *orient, uint32_t i, uint32_t end)
-{
-    uint32_t j = i + 1;
-    while (j < end && orient->edges[j].high == orient->edges[i].high)
-        j++;
-    return j;
-}
-
 static void link_faces(struct orient *orient)
 {
     const struct csg_mesh *mesh = orient->mesh;
     for (uint32_t i = 0; i < mesh->faces.num; i++)
         orient->links[i] = (struct link){i, 1, false};
     for (size_t low = 0; low < mesh->points.num; low++)
-        for (uint32_t i = orient->begin[low], j; i < orient->begin[low + 1]; i = j) {
-            const struct edge *edge = &orient->edges[i];
-            j = run_end(orient, i, orient->begin[low + 1]);
+        for (uint32_t i = orient->edges.begin[low], j; i < orient->edges.begin[low + 1]; i = j) {
+            const struct csg_mesh_edge *edge = &orient->edges.edges[i];
+            j = csg_mesh_edges_run(&orient->edges, i, orient->edges.begin[low + 1]);
             if (j == i + 2)
                 join(orient->links, edge[0].face, edge[1].face,
                      edge[0].direction == edge[1].direction);
@@ -164,7 +102,7 @@ static bool turn_faces(struct orient *orient)
 /* Whether faces may lie upon each other at the edges [i, j), which have the same ends. */
 static bool is_folded(const struct orient *orient, uint32_t i, uint32_t j, uint32_t begin)
 {
-    const struct edge *edge = &orient->edges[i];
+    const struct csg_mesh_edge *edge = &orient->edges.edges[i];
     return j > i + 2 || (j == i + 2 && i >= begin + 2 && edge[0].face == edge[-2].face &&
                          edge[1].face == edge[-1].face);
 }
@@ -173,19 +111,19 @@ static void count_gaps(const struct orient *orient, struct csg_mesh_gaps *gaps)
 {
     *gaps = (struct csg_mesh_gaps){0};
     for (uint32_t low = 0; low < orient->mesh->points.num; low++)
-        for (uint32_t i = orient->begin[low], j; i < orient->begin[low + 1]; i = j) {
+        for (uint32_t i = orient->edges.begin[low], j; i < orient->edges.begin[low + 1]; i = j) {
             int sum = 0;
-            j = run_end(orient, i, orient->begin[low + 1]);
-            gaps->is_folded |= is_folded(orient, i, j, orient->begin[low]);
+            j = csg_mesh_edges_run(&orient->edges, i, orient->edges.begin[low + 1]);
+            gaps->is_folded |= is_folded(orient, i, j, orient->edges.begin[low]);
             for (uint32_t k = i; k < j; k++) {
-                const struct edge *edge = &orient->edges[k];
+                const struct csg_mesh_edge *edge = &orient->edges.edges[k];
                 sum += orient->links[edge->face].size ? -edge->direction : edge->direction;
             }
             if (sum == 0)
                 continue;
             if (gaps->num++ == 0) {
                 gaps->points[0] = low;
-                gaps->points[1] = orient->edges[i].high;
+                gaps->points[1] = orient->edges.edges[i].high;
             }
         }
 }
@@ -193,19 +131,15 @@ static void count_gaps(const struct orient *orient, struct csg_mesh_gaps *gaps)
 bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps)
 {
     struct orient orient = {.mesh = mesh};
-    orient.begin = calloc(mesh->points.num + 2, sizeof *orient.begin);
-    orient.edges = malloc((mesh->corners.num + 1) * sizeof *orient.edges);
     orient.links = malloc((mesh->faces.num + 1) * sizeof *orient.links);
-    bool ok = orient.begin && orient.edges && orient.links;
+    bool ok = csg_mesh_edges_init(&orient.edges, mesh) && orient.links;
     if (ok) {
-        list_edges(&orient);
         link_faces(&orient);
         ok = turn_faces(&orient);
     }
     if (ok)
         count_gaps(&orient, gaps);
-    free(orient.begin);
-    free(orient.edges);
+    csg_mesh_edges_finish(&orient.edges);
     free(orient.links);
     return ok;
 }

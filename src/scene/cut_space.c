@@ -2,6 +2,7 @@
 #include "scene/cut_space.h"
 
 #include "scene/compounds.h"
+#include "scene/figures.h"
 
 /* Siblings, and the node around them. */
 struct siblings {
@@ -65,6 +66,19 @@ static bool is_resize(const struct csg_walk *walk, uint32_t node)
     return ops && ops->compound == csg_compound_resize;
 }
 
+/* A section is one of CGAL's, also where there is only one solid. */
+static bool enter_projection(struct csg_walk *walk, uint32_t node, struct csg_cut_space *to)
+{
+    const struct csg_node_ops *ops = csg_walk_ops(walk, node);
+    struct csg_args args;
+    if (!ops || ops->figure != csg_figure_projection)
+        return true;
+    if (!csg_walk_args(walk, node, ops->name, ops->parameters, &args))
+        return false;
+    to->on_grid |= csg_args_bool(&args, "cut");
+    return true;
+}
+
 bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_space *to)
 {
     struct siblings siblings = {walk->builder->begin, walk->builder->end, false};
@@ -79,12 +93,15 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
         }
         if (around == node)
             break;
-        if (is_resize(walk, around))
+        if (is_resize(walk, around)) {
             enter_resize(walk, around, &space);
-        else if (!csg_has_children(&walk->builder->meanings[around]))
+        } else if (!csg_has_children(&walk->builder->meanings[around])) {
+            if (!enter_projection(walk, around, to))
+                return false;
             space.map = csg_map_identity;
-        else if (!enter(walk, around, &space))
+        } else if (!enter(walk, around, &space)) {
             return false;
+        }
         const uint8_t role = walk->builder->meanings[around].role;
         siblings = (struct siblings){around + 1, csg_walk_node(walk, around)->end,
                                      role == CSG_ROLE_DIFFERENCE || role == CSG_ROLE_INTERSECTION};

@@ -90,6 +90,7 @@ static bool copy_mesh(const struct csg_mesh *from, struct csg_mesh *mesh)
         ok = ok && csg_mesh_close_face(mesh);
     }
     mesh->rounding = from->rounding;
+    mesh->keeps_dents = true; /* a result of its kernel */
     return ok;
 }
 

@@ -4,6 +4,9 @@
  */
 #include "scene/polyhedron.h"
 
+#include <stdlib.h>
+
+#include "polyhedra/hull.h"
 #include "polyhedra/mesh.h"
 #include "scene/compounds.h"
 #include "scene/cut_space.h"
@@ -13,6 +16,12 @@
  * from so many planes of a convex one (measured, docs/surfaces.md). Hulls and Minkowski sums are
  * made of convex solids. */
 enum { max_cut_faces = 24, max_planes = 32, max_summed_faces = 2000 };
+
+/* OpenSCAD takes the hull of a solid that meets others where it has no deeper dents than these
+ * (is_approximately_convex in its cgalutils.cc); a map between here and there seldom makes dents
+ * shallow that are deeper than this. */
+#define SHALLOW_DEGREES 0.1
+#define MAPPED_DEGREES 10.0
 
 /* Without z it is 0, as in OpenSCAD. */
 static bool read_point(const struct csg_value *point, double p[3], double *rounding)
@@ -127,6 +136,48 @@ static bool add_points(const struct csg_mesh *mesh, struct csg_part *part)
            (csg_mesh_to_points(mesh, &shape) && csg_part_add(part, &shape, false));
 }
 
+/* ---- hulls -------------------------------------------------------------------------------- */
+
+/* is_hull: it shows as its hull there. */
+static bool find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
+                      bool *is_hull)
+{
+    struct csg_cut_space space = {.map = csg_map_identity};
+    if (!csg_mesh_has_shallow_dents(mesh, &csg_map_identity, MAPPED_DEGREES, is_hull))
+        return csg_log_memory(&walk->builder->report->log);
+    if (!*is_hull)
+        return true;
+    walk->was_placed = true;
+    if (!csg_cut_space_find(walk, node, &space))
+        return false;
+    *is_hull = space.on_grid;
+    return !space.on_grid ||
+           csg_mesh_has_shallow_dents(mesh, &space.map, SHALLOW_DEGREES, is_hull) ||
+           csg_log_memory(&walk->builder->report->log);
+}
+
+/* is_there: it could be made. */
+static bool add_hull(struct csg_walk *walk, const struct csg_mesh *mesh, struct csg_part *part,
+                     bool *is_there)
+{
+    struct csg_shape shape = {.frame = csg_map_identity, .rounding = mesh->rounding};
+    struct csg_points points = {0};
+    enum csg_hull_result result = CSG_HULL_DONE;
+    for (size_t i = 0; i < mesh->corners.num && result == CSG_HULL_DONE; i++)
+        if (!csg_array_push(&points.points, mesh->points.data[mesh->corners.data[i]]))
+            result = CSG_HULL_NO_MEMORY;
+    if (result == CSG_HULL_DONE)
+        result = csg_hull_fill(&shape, &points);
+    free(points.points.data);
+    *is_there = result == CSG_HULL_DONE;
+    if (*is_there)
+        return csg_part_add(part, &shape, false) || csg_log_memory(&walk->builder->report->log);
+    csg_shape_finish(&shape);
+    return result != CSG_HULL_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+}
+
+/* ---- solids ------------------------------------------------------------------------------- */
+
 /* The solid that the mesh bounds. */
 static bool add_solid(struct csg_walk *walk, const struct csg_mesh *mesh,
                       const struct csg_mesh_gaps *gaps, struct csg_part *part)
@@ -163,6 +214,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
                         struct csg_mesh *mesh, struct csg_part *part)
 {
     struct csg_mesh_gaps gaps;
+    bool is_hull = false;
     if (walk->points_only)
         return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
     if (mesh->faces.num == 0)
@@ -173,6 +225,10 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
         warn_of_gaps(walk, node, mesh, &gaps);
     if (mesh->num_guessed)
         warn_of_guesses(walk, node, mesh->num_guessed);
+    if (gaps.num == 0 && !mesh->keeps_dents && !find_hull(walk, node, mesh, &is_hull))
+        return false;
+    if (is_hull && (!add_hull(walk, mesh, part, &is_hull) || is_hull))
+        return is_hull;
     const bool has_films = !in_boolean && walk->depth == 0;
     return (has_films ? add_all(walk, mesh, &gaps, part) : add_solid(walk, mesh, &gaps, part)) ||
            csg_log_memory(&walk->builder->report->log);
