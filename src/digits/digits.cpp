@@ -6,7 +6,7 @@
  * These stand in front of them and ask for as many digits as it takes to read the same double
  * again, but only while a file in the folder that CSGCAST_DIGITS names is open for writing: then
  * the program has been evaluated, so that str(), echo() and text() say what they always say. If
- * both have been seen at work, the file's last line says that no number in it is rounded
+ * openscad prints by both, the file's last line says that no number in it is rounded
  * (src/scene/digits.h); what another version of openscad prints in other ways stays as it is.
  *
  * Where such a file is the only one, openscad ends with it, at once: in a large scene a tenth of
@@ -26,12 +26,16 @@
 #include <ostream>
 
 #include <dlfcn.h>
+#include <link.h>
 #include <unistd.h>
 
 #include "scene/digits.h"
 
 #define TO_PRECISION                                                                               \
     "_ZNK17double_conversion23DoubleToStringConverter11ToPrecisionEdiPNS_13StringBuilderE"
+#define TO_SHORTEST                                                                                \
+    "_ZNK17double_conversion23DoubleToStringConverter20ToShortestIeeeNumberEd"                     \
+    "PNS_13StringBuilderENS0_8DtoaModeE"
 #define INSERT "_ZNSo9_M_insertIdEERSoT_"
 #define ADD_FONT "FcConfigAppFontAddFile"
 
@@ -128,6 +132,28 @@ FILE *open_file(open_function *next, const char *path, const char *mode)
     return file;
 }
 
+/*
+ * Whether the program prints by operator<<, ours: a scene of polyhedra alone has no number that it
+ * is used for. What a program takes from libraries it names in its strings for the linker.
+ */
+bool imports_insert()
+{
+    void *program = dlopen(nullptr, RTLD_LAZY), *insert = dlsym(RTLD_DEFAULT, INSERT);
+    struct link_map *map = nullptr;
+    const char *strings = nullptr;
+    size_t size = 0;
+    if (insert != reinterpret_cast<void *>(csgcast_digits_insert) || !program ||
+        dlinfo(program, RTLD_DI_LINKMAP, &map) != 0)
+        return false;
+    for (const ElfW(Dyn) *entry = map->l_ld; entry->d_tag != DT_NULL; entry++) {
+        if (entry->d_tag == DT_STRTAB) /* where it has been loaded, by glibc */
+            strings = reinterpret_cast<const char *>(entry->d_un.d_ptr);
+        if (entry->d_tag == DT_STRSZ)
+            size = entry->d_un.d_val;
+    }
+    return strings && memmem(strings, size, INSERT, sizeof INSERT);
+}
+
 /* The name from the root on: openscad changes its folder later. */
 void note_font(const char *list, const char *file)
 {
@@ -142,12 +168,21 @@ void note_font(const char *list, const char *file)
 
 } // namespace
 
+/* The fewest digits that do, where that function is there: with 17 the library counts in large
+ * integers. */
 bool csgcast_digits_convert(const void *converter, double value, int digits, void *builder)
 {
     typedef bool function(const void *, double, int, void *);
+    typedef bool shortest_function(const void *, double, void *, int);
     static function *next;
+    static shortest_function *shortest;
+    const int of_double = 0; /* DtoaMode: SHORTEST */
     next = find(next, TO_PRECISION, __builtin_return_address(0));
+    if (!has_converted)
+        shortest = find(shortest, TO_SHORTEST, __builtin_return_address(0));
     has_converted = true;
+    if (output && digits == six && shortest)
+        return shortest(converter, value, builder, of_double);
     if (output && digits == six)
         digits = digits_of(value);
     return next && next(converter, value, digits, builder);
@@ -203,7 +238,7 @@ int csgcast_digits_close(FILE *file)
     static function *next;
     next = find(next, "fclose", __builtin_return_address(0));
     const bool is_output = file && file == output;
-    const bool is_whole = is_output && has_converted && has_inserted;
+    const bool is_whole = is_output && has_converted && (has_inserted || imports_insert());
     if (is_output)
         output = nullptr;
     if (is_whole)

@@ -51,6 +51,17 @@ six "far" far.scad
 is 33333.3 lo 0
 is 4 rounded
 
+# A scene that one of the two ways prints, without a size or a matrix.
+cat >points.scad <<END
+polyhedron([[0, 0, 0], [1 / 3, 0, 0], [0, 1e7 + 1 / 3, 0], [0, 0, 0.1]],
+           [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]);
+END
+all "points" points.scad
+is 0 rounded
+is 0.3333333333333333 hi 0
+is 10000000.333333334 hi 1
+is 0.1 hi 2
+
 # Thirds are flush, as they were; what is a gap stays one where no number is rounded.
 cat >flush.scad <<END
 difference() { cube([1, 1, 1 / 3]); translate([0.25, 0.25, -1]) cube([0.5, 0.5, 4 / 3]); }
