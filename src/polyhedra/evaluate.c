@@ -89,11 +89,24 @@ static bool move_cells(struct cells *from, struct cells *to)
 
 /* ---- a leaf ------------------------------------------------------------------------------- */
 
-static bool misses(const struct csg_cell *cell, const struct csg_shape *shape)
+/* Whether all of the cell is beyond one of the shape's planes. Cutting along the planes before that
+ * one would only make pieces. */
+static bool is_beyond(const struct csg_cell *cell, const struct csg_shape *shape, double near)
+{
+    for (size_t i = 0; i < shape->num_planes; i++) {
+        double lo, hi;
+        csg_cell_range(cell, &shape->planes[i], &lo, &hi);
+        if (lo >= -near)
+            return true;
+    }
+    return false;
+}
+
+static bool misses(const struct csg_cell *cell, const struct csg_shape *shape, double near)
 {
     const struct csg_box a = csg_cell_box(cell), b = csg_box_map(&shape->frame, &shape->bounds);
     const struct csg_box common = csg_box_intersection(&a, &b);
-    return csg_box_is_empty(&common);
+    return csg_box_is_empty(&common) || is_beyond(cell, shape, near);
 }
 
 /* What of the cell is in the shape, or, where that is asked for, the pieces that are not: beyond
@@ -102,7 +115,7 @@ static bool cut_cell(struct evaluator *evaluator, struct csg_cell *cell,
                      const struct csg_shape *shape, bool negated, struct cells *out)
 {
     bool ok = true;
-    if (misses(cell, shape)) {
+    if (misses(cell, shape, evaluator->near)) {
         if (negated)
             return push_cell(out, cell);
         csg_cell_finish(cell);
@@ -217,12 +230,26 @@ static bool start(struct evaluator *evaluator)
     return false;
 }
 
-static bool add_cluster(struct csg_clusters *clusters, const struct csg_cell *cell)
+/* Each corner belongs to three faces and more. */
+static bool has_corner(const struct csg_clusters *clusters, size_t begin, struct csg_vec3 p,
+                       double near)
 {
+    for (size_t i = begin; i < clusters->corners.points.num; i++)
+        if (csg_length(csg_sub(clusters->corners.points.data[i], p)) <= near)
+            return true;
+    return false;
+}
+
+static bool add_cluster(struct csg_clusters *clusters, const struct csg_cell *cell, double near)
+{
+    const size_t begin = clusters->corners.points.num;
     bool ok = true;
     for (size_t i = 0; i < cell->faces.num && ok; i++)
-        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++)
-            ok = csg_array_push(&clusters->corners.points, cell->faces.data[i].points.data[j]);
+        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++) {
+            const struct csg_vec3 p = cell->faces.data[i].points.data[j];
+            ok = has_corner(clusters, begin, p, near) ||
+                 csg_array_push(&clusters->corners.points, p);
+        }
     return ok && csg_array_push(&clusters->ends, clusters->corners.points.num);
 }
 
@@ -239,7 +266,7 @@ static enum csg_hull_result evaluate_cells(const struct csg_part *part,
     while (ok && evaluator.frames.num > 1)
         ok = close_frame(&evaluator);
     for (size_t i = 0; ok && i < evaluator.frames.data[0].out.list.num; i++)
-        ok = add_cluster(clusters, &evaluator.frames.data[0].out.list.data[i]);
+        ok = add_cluster(clusters, &evaluator.frames.data[0].out.list.data[i], evaluator.near);
     for (size_t i = 0; i < evaluator.frames.num; i++) {
         finish_cells(&evaluator.frames.data[i].in);
         finish_cells(&evaluator.frames.data[i].out);
