@@ -334,12 +334,7 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
     }
     csg_screen_set_near(&frame->screen, csg_eye_near(scene, frame->screen.origin));
     frame->num_threads = params->num_threads;
-    frame->texels.num = 0;
-    frame->draws.num = 0;
-    frame->cells.num = 0;
-    frame->proxy_pixels = frame->solid_tests = 0;
-    frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
-    frame->tile_ms = 0;
+    csg_frame_clear(frame);
     bool ok = csg_terms_init(&packer.terms, frame, scene, params) &&
               csg_singles_start(&frame->singles, scene, params->leaves) &&
               list_objects(frame, scene, params) && csg_frame_judge(frame, scene, params, &focus);

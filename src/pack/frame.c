@@ -42,6 +42,14 @@ void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_
     frame->solid_tests += pixels * num_leaves;
 }
 
+void csg_frame_clear(struct csg_frame *frame)
+{
+    frame->texels.num = frame->draws.num = frame->cells.num = 0;
+    frame->proxy_pixels = frame->solid_tests = 0;
+    frame->tiles_empty = frame->tiles_opaque = frame->tiles_mixed = 0;
+    frame->tile_ms = 0;
+}
+
 bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part)
 {
     const int32_t base = (int32_t)(frame->texels.num / 4);
@@ -77,5 +85,8 @@ void csg_frame_finish(struct csg_frame *frame)
     free(frame->crowd.owners.data);
     free(frame->listed.data);
     csg_singles_finish(&frame->singles);
+    for (size_t i = 0; i < frame->parts.num; i++)
+        csg_frame_finish(&frame->parts.data[i]);
+    free(frame->parts.data);
     *frame = (struct csg_frame){0};
 }

@@ -71,7 +71,8 @@ struct csg_frame {
     double tile_ms;
     CSG_ARRAY(uint32_t) listed; /* objects drawn one by one, in file order: all but the crowd's */
     struct csg_frame_crowd crowd;
-    struct csg_singles singles; /* counted where leaves are wanted */
+    struct csg_singles singles;        /* counted where leaves are wanted */
+    CSG_ARRAY(struct csg_frame) parts; /* of it, while it is filled: their memory is used again */
 };
 
 /* Objects drawn in cells: none, those that tiles make too little of, all that can be. */
@@ -111,6 +112,9 @@ float *csg_frame_add_texels(struct csg_frame *frame, size_t num);
 
 /* Counts the pixels of a rectangle in which a draw's program has this many solids. */
 void csg_frame_count(struct csg_frame *frame, const struct csg_rect *rect, size_t num_leaves);
+
+/* Empties the frame of texels, draws and counts. */
+void csg_frame_clear(struct csg_frame *frame);
 
 /* Adds the draws, texels and counts of part, a frame of the same screen whose draws look up its own
  * texels only but for attribute blocks. false: out of memory. */

@@ -8,9 +8,11 @@
 
 #include "tile/tile.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "common/parallel.h"
+#include "tile/tiler.h"
 
 /* Smaller trees are tiled sooner than threads start. */
 #define MIN_NODES 48
@@ -20,13 +22,16 @@
 #define MIN_PANE_SIZE (4 * CSG_TILE_SIZE)
 #define MAX_PANES 32
 
+/* Of a pane that takes more texels, 1 MB, the next frame's begins without memory. */
+#define MAX_KEPT_TEXELS ((size_t)1 << 16)
+
 struct grid {
     int size; /* of a pane; their edges are multiples of it */
     int across, num;
 };
 
 struct pane {
-    struct csg_frame frame;
+    struct csg_frame *frame;
     struct csg_tile_area area;
     bool ok;
 };
@@ -37,20 +42,38 @@ struct job {
     const struct csg_draw *draw;
     struct pane *panes;
     size_t num;
+    atomic_size_t next; /* pane to be tiled */
 };
 
 /* What is drawn and counted goes to a frame of its own. */
-static void tile_pane(void *user, size_t i)
+static void tile_pane(const struct job *job, struct pane *pane, struct csg_tiler *tiler)
 {
-    const struct job *job = user;
-    struct pane *pane = &job->panes[i];
     struct csg_terms terms = *job->terms;
-    pane->frame.screen = job->terms->frame->screen;
-    pane->frame.at = job->terms->frame->at;
-    terms.frame = &pane->frame;
-    terms.known = malloc(csg_stacks_room(terms.scene->num_leaves));
-    pane->ok = terms.known && csg_tile_area(&terms, job->object, &pane->area, job->draw);
-    free(terms.known);
+    csg_frame_clear(pane->frame);
+    pane->frame->screen = job->terms->frame->screen;
+    pane->frame->at = job->terms->frame->at;
+    terms.frame = pane->frame;
+    pane->ok = csg_array_reserve(&tiler->known, csg_stacks_room(terms.scene->num_leaves));
+    terms.known = tiler->known.data;
+    pane->ok = pane->ok && csg_tile_area(tiler, &terms, job->object, &pane->area, job->draw);
+}
+
+/* All panes that are left, as many as other cores do not come to. Threads that ask for memory wait
+ * for each other, so all of them use the same. */
+static void tile_left(void *user, size_t task)
+{
+    struct job *job = user;
+    struct csg_tiler tiler = {0};
+    (void)task;
+    for (size_t i; (i = atomic_fetch_add(&job->next, 1)) < job->num;)
+        tile_pane(job, &job->panes[i], &tiler);
+    csg_tiler_finish(&tiler);
+}
+
+static void tile_all(struct job *job)
+{
+    atomic_init(&job->next, 0);
+    csg_parallel(job->terms->frame->num_threads, job->num, tile_left, job);
 }
 
 /* Panes of that size across or down. */
@@ -77,13 +100,30 @@ static void cut_panes(const struct csg_tile_area *area, const struct grid *grid,
     }
 }
 
+/* Frames for the panes. */
+static bool take_parts(struct csg_frame *frame, const struct job *job)
+{
+    const size_t num = frame->parts.num;
+    if (num < job->num && !csg_array_reserve(&frame->parts, job->num - num))
+        return false;
+    for (; frame->parts.num < job->num; frame->parts.num++)
+        frame->parts.data[frame->parts.num] = (struct csg_frame){0};
+    for (size_t i = 0; i < job->num; i++)
+        job->panes[i].frame = &frame->parts.data[i];
+    return true;
+}
+
 static bool tile_panes(struct csg_terms *terms, struct job *job)
 {
-    csg_parallel(job->terms->frame->num_threads, job->num, tile_pane, job);
-    bool ok = true;
+    bool ok = take_parts(terms->frame, job);
+    if (!ok)
+        return false;
+    tile_all(job);
     for (size_t i = 0; i < job->num; i++) {
-        ok = ok && job->panes[i].ok && csg_frame_append(terms->frame, &job->panes[i].frame);
-        csg_frame_finish(&job->panes[i].frame);
+        struct csg_frame *part = job->panes[i].frame;
+        ok = ok && job->panes[i].ok && csg_frame_append(terms->frame, part);
+        if (part->texels.capacity > 4 * MAX_KEPT_TEXELS)
+            csg_frame_finish(part);
     }
     return ok;
 }
@@ -118,6 +158,15 @@ bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *r
     return plan_panes(object, &area).num <= 1;
 }
 
+static bool tile_alone(struct csg_terms *terms, const struct csg_object *object,
+                       const struct csg_tile_area *area, const struct csg_draw *draw)
+{
+    struct csg_tiler tiler = {0};
+    const bool ok = csg_tile_area(&tiler, terms, object, area, draw);
+    csg_tiler_finish(&tiler);
+    return ok;
+}
+
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw)
 {
@@ -127,7 +176,7 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                                    terms->params->num_threads))
         return false;
     if (grid.num <= 1)
-        return csg_tile_area(terms, object, &area, draw);
+        return tile_alone(terms, object, &area, draw);
     struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
     job.panes = calloc(job.num, sizeof *job.panes);
     if (!job.panes)
@@ -157,15 +206,16 @@ static struct csg_tile_area sample_area(const struct csg_rect *rect, size_t x, s
 static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row, double *tests,
                        double *pixels)
 {
+    struct csg_frame frames[SAMPLES] = {0};
     bool ok = true;
     for (size_t i = 0; i < SAMPLES; i++)
-        job->panes[i] = (struct pane){.area = sample_area(rect, i, row)};
-    csg_parallel(job->terms->frame->num_threads, job->num, tile_pane, job);
+        job->panes[i] = (struct pane){.frame = &frames[i], .area = sample_area(rect, i, row)};
+    tile_all(job);
     for (size_t i = 0; i < SAMPLES; i++) {
         ok &= job->panes[i].ok;
-        *tests += (double)job->panes[i].frame.solid_tests;
-        *pixels += (double)job->panes[i].frame.proxy_pixels;
-        csg_frame_finish(&job->panes[i].frame);
+        *tests += (double)frames[i].solid_tests;
+        *pixels += (double)frames[i].proxy_pixels;
+        csg_frame_finish(&frames[i]);
     }
     return ok;
 }
@@ -176,7 +226,8 @@ bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *obj
 {
     static const size_t rows[SAMPLES] = {1, 0, 2};
     struct pane panes[SAMPLES];
-    struct job job = {terms, object, draw, panes, SAMPLES};
+    struct job job = {
+        .terms = terms, .object = object, .draw = draw, .panes = panes, .num = SAMPLES};
     double num_tests = 0, num_pixels = 0;
     for (size_t i = 0;
          i < SAMPLES && (i == 0 || (num_tests > few * num_pixels && num_tests < many * num_pixels));

@@ -52,13 +52,20 @@ static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_
     return num < VERY_MANY_PLANES ? PLANES_TILE_SIZE : PLANES_TILE_SIZE / 2;
 }
 
+/* An empty one. */
+static struct csg_tree take_tree(struct csg_tiler *tiler)
+{
+    struct csg_tree tree = {0};
+    if (tiler->spare.num)
+        tree = tiler->spare.data[--tiler->spare.num];
+    tree.num = 0;
+    return tree;
+}
+
 /* The caller frees the copy, also when memory is out. */
 static bool copy_tree(struct csg_tiler *tiler, const struct csg_tree *tree, struct csg_tree *copy)
 {
-    *copy = (struct csg_tree){0};
-    if (tiler->spare.num)
-        *copy = tiler->spare.data[--tiler->spare.num];
-    copy->num = 0;
+    *copy = take_tree(tiler);
     if (!csg_array_reserve(copy, tree->num))
         return false;
     memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
@@ -328,49 +335,61 @@ static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object
 {
     const struct csg_stacks *stacks = &tiler->terms->stacks;
     const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data;
-    *tree = (struct csg_tree){0};
     if (stacks->list.num)
-        return csg_tree_copy(&stacks->tree, tree);
+        return copy_tree(tiler, &stacks->tree, tree);
+    *tree = take_tree(tiler);
     return csg_tree_append(tree, nodes, object->begin, object->end);
 }
 
-bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
-                   const struct csg_tile_area *area, const struct csg_draw *draw)
+/* What is left to do; nothing is done any more where memory is out. */
+static bool run_tasks(struct csg_tiler *tiler, bool ok)
 {
-    struct csg_tiler tiler = {.terms = terms,
-                              .draw = draw,
-                              .fine = area->fine,
-                              .max_texels = area->max_texels + terms->frame->texels.num / 4};
+    while (tiler->tasks.num) {
+        struct csg_tile_task task = tiler->tasks.data[--tiler->tasks.num];
+        if (ok)
+            ok = run(tiler, &task);
+        else
+            drop_task(tiler, &task);
+    }
+    return ok;
+}
+
+bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
+                   const struct csg_object *object, const struct csg_tile_area *area,
+                   const struct csg_draw *draw)
+{
     struct csg_tile_task whole = {.lo = {area->lo[0], area->lo[1]},
                                   .hi = {area->hi[0], area->hi[1]}};
-    bool ok = object_tree(&tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
+    tiler->terms = terms;
+    tiler->draw = draw;
+    tiler->fine = area->fine;
+    tiler->max_texels = area->max_texels + terms->frame->texels.num / 4;
+    bool ok = object_tree(tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
     whole.flat = ok && csg_tiler_is_flat(&whole.tree);
     if (ok)
-        ok = begin(&tiler, &whole);
+        ok = begin(tiler, &whole);
     else
-        drop_task(&tiler, &whole);
-    while (tiler.tasks.num) {
-        struct csg_tile_task task = tiler.tasks.data[--tiler.tasks.num];
-        if (ok)
-            ok = run(&tiler, &task);
-        else
-            drop_task(&tiler, &task);
-    }
-    for (size_t i = 0; i < tiler.spare.num; i++)
-        free(tiler.spare.data[i].data);
-    free(tiler.spare.data);
-    csg_tree_room_finish(&tiler.room);
-    free(tiler.tasks.data);
-    free(tiler.parts.ranges.data);
-    free(tiler.parts.missed.data);
-    free(tiler.ranges.data);
-    free(tiler.origins.data);
-    free(tiler.members.data);
-    free(tiler.nodes.data);
-    free(tiler.contexts.data);
-    free(tiler.stacks.data);
-    free(tiler.planes.data);
-    free(tiler.keys.data);
-    csg_scan_finish(&tiler.scan);
-    return ok;
+        drop_task(tiler, &whole);
+    return run_tasks(tiler, ok);
+}
+
+void csg_tiler_finish(struct csg_tiler *tiler)
+{
+    for (size_t i = 0; i < tiler->spare.num; i++)
+        free(tiler->spare.data[i].data);
+    free(tiler->spare.data);
+    csg_tree_room_finish(&tiler->room);
+    free(tiler->tasks.data);
+    free(tiler->parts.ranges.data);
+    free(tiler->parts.missed.data);
+    free(tiler->ranges.data);
+    free(tiler->origins.data);
+    free(tiler->members.data);
+    free(tiler->nodes.data);
+    free(tiler->contexts.data);
+    free(tiler->stacks.data);
+    free(tiler->planes.data);
+    free(tiler->keys.data);
+    free(tiler->known.data);
+    csg_scan_finish(&tiler->scan);
 }

@@ -25,10 +25,13 @@ struct csg_tile_area {
     bool fine;
 };
 
+struct csg_tiler;
+
 /* Appends the object's records and draws in an area to the frame; terms are the object's. false:
  * out of memory. */
-bool csg_tile_area(struct csg_terms *terms, const struct csg_object *object,
-                   const struct csg_tile_area *area, const struct csg_draw *draw);
+bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
+                   const struct csg_object *object, const struct csg_tile_area *area,
+                   const struct csg_draw *draw);
 
 /* The same for all of the object, on all cores; rect in pixels, like csg_screen_rect's. */
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,

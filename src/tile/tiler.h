@@ -28,6 +28,7 @@ struct csg_tile_parts {
     CSG_ARRAY(uint8_t) missed; /* by the rectangles of leaves: bits of parts */
 };
 
+/* Zeroed before the first area; its arrays are for the next one, too. */
 struct csg_tiler {
     struct csg_terms *terms;
     const struct csg_draw *draw;
@@ -42,7 +43,8 @@ struct csg_tiler {
     CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
     CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
-    CSG_ARRAY(double) keys; /* by node, for csg_front_find */
+    CSG_ARRAY(double) keys;   /* by node, for csg_front_find */
+    CSG_ARRAY(uint8_t) known; /* of terms that share theirs with other threads' */
     struct csg_scan scan;
     size_t max_texels; /* of the frame, from which on tiles are not cut further */
     bool fine;         /* of the area */
@@ -72,6 +74,8 @@ static inline const struct csg_tile_box *csg_tiler_box(const struct csg_tiler *t
 {
     return &tiler->parts.tiles[tiler->parts.at];
 }
+
+void csg_tiler_finish(struct csg_tiler *tiler);
 
 /* Whether the tree is one intersection of leaves, none of them spare: a plate with holes, and what
  * most tiles of other objects come to. */

@@ -66,20 +66,33 @@ struct picture {
     float *id;
 };
 
-static bool draw(enum csgcast_backend backend, const struct csgcast_scene *scene, int size,
-                 struct picture *picture, struct csgcast_stats *stats)
+static bool draw_with(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                      int size, struct picture *picture, struct csgcast_stats *stats)
 {
-    const struct csgcast_renderer_params params = {.backend = backend};
     const struct csgcast_view view = {.width = size, .height = size};
     const size_t num = (size_t)size * (size_t)size;
-    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
     picture->z = malloc(num * sizeof *picture->z);
     picture->id = malloc(num * sizeof *picture->id);
     const struct csgcast_image image = {.z = picture->z, .id = picture->id};
     const bool ok = picture->z && picture->id && csgcast_render(renderer, scene, &view, &image);
     csgcast_renderer_get_stats(renderer, stats);
+    return ok;
+}
+
+static bool draw(enum csgcast_backend backend, const struct csgcast_scene *scene, int size,
+                 struct picture *picture, struct csgcast_stats *stats)
+{
+    const struct csgcast_renderer_params params = {.backend = backend};
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    const bool ok = draw_with(renderer, scene, size, picture, stats);
     csgcast_renderer_destroy(renderer);
     return ok;
+}
+
+static void drop(struct picture *picture)
+{
+    free(picture->z);
+    free(picture->id);
 }
 
 /* Pixels at whose edges float and double differ. */
@@ -116,14 +129,46 @@ static void check_example(const struct example *example)
     }
     csgcast_scene_destroy(scene);
     free(text);
-    free(tiles.z);
-    free(tiles.id);
-    free(reference.z);
-    free(reference.id);
+    drop(&tiles);
+    drop(&reference);
+}
+
+/* What a renderer keeps of a frame, of the same scene in another size, is not seen in the next. */
+static void check_kept(const struct example *example)
+{
+    enum { FIRST, LARGER, LAST, NUM };
+    const int size = example->size, sizes[NUM] = {size, 2 * size, size};
+    const struct csgcast_renderer_params params = {0};
+    char *text = plate(example->solid);
+    struct csgcast_scene *scene = text ? csgcast_scene_parse(text, strlen(text), NULL) : NULL;
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    struct picture pictures[NUM] = {{NULL, NULL}};
+    struct csgcast_stats stats[NUM];
+    const size_t bytes = (size_t)size * (size_t)size * sizeof(float);
+    bool ok = scene && renderer;
+    for (int i = 0; i < NUM && ok; i++)
+        ok = draw_with(renderer, scene, sizes[i], &pictures[i], &stats[i]);
+    CHECK(ok, "%s", example->name);
+    if (ok) {
+        CHECK(stats[LARGER].texture_bytes > stats[FIRST].texture_bytes, "%s", example->name);
+        CHECK(stats[LAST].texture_bytes == stats[FIRST].texture_bytes &&
+                  stats[LAST].tiles_mixed == stats[FIRST].tiles_mixed &&
+                  stats[LAST].solid_tests == stats[FIRST].solid_tests,
+              "%s: %zu bytes, then %zu", example->name, stats[FIRST].texture_bytes,
+              stats[LAST].texture_bytes);
+        CHECK(memcmp(pictures[LAST].z, pictures[FIRST].z, bytes) == 0, "%s", example->name);
+        CHECK(memcmp(pictures[LAST].id, pictures[FIRST].id, bytes) == 0, "%s", example->name);
+    }
+    for (int i = 0; i < NUM; i++)
+        drop(&pictures[i]);
+    csgcast_renderer_destroy(renderer);
+    csgcast_scene_destroy(scene);
+    free(text);
 }
 
 int main(void)
 {
+    check_kept(&examples[0]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
         check_example(&examples[i]);
     return num_failed != 0;
