@@ -31,6 +31,11 @@
 /* A tile that may meet so few bands of stacks is not worth cutting for them. */
 #define SMALL_BANDS 4
 
+/* A larger area with more nodes, all of its leaves under one intersection, is first cut by the
+ * leaves' rectangles on the screen: ranges tell little of so large a tile. In pixels. */
+#define COARSE_SIZE 32
+#define COARSE_NODES 12
+
 /* Tiles of the smallest size are cut once more where they have more leaves than a chain, up to so
  * many. */
 #define CROWDED_LEAVES 16
@@ -304,6 +309,24 @@ static bool fold_and_settle(struct csg_tiler *tiler, struct csg_tile_task *task,
     return false;
 }
 
+/* Whether the leaves' rectangles tell enough of the task's parts. */
+static bool is_coarse(const struct csg_tiler *tiler, const struct csg_tile_task *task)
+{
+    return task->flat && task->tree.num > COARSE_NODES && !is_within(task, COARSE_SIZE) &&
+           tiler->terms->frame->texels.num / 4 < tiler->max_texels;
+}
+
+/* What of the task's tree the tile does not miss by rectangles is left to do. Takes the task. */
+static bool sift_and_leave(struct csg_tiler *tiler, struct csg_tile_task *task)
+{
+    const bool ok = csg_tiler_sift(tiler, task);
+    tiler->terms->frame->tiles_empty += ok && task->tree.num == 0;
+    if (ok && task->tree.num > 0 && csg_array_push(&tiler->tasks, *task))
+        return true;
+    drop_task(tiler, task);
+    return ok && task->tree.num == 0;
+}
+
 /* Takes the task, of which parts are left to do. */
 static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
@@ -311,9 +334,11 @@ static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
     tiler->parts.num = cut(tiler, task, parts);
     for (int i = 0; i < tiler->parts.num; i++)
         tiler->parts.rects[i] = csg_tile_rect(&parts[i]);
-    bool ok = csg_tiler_look(tiler, &task->tree);
+    const bool coarse = is_coarse(tiler, task);
+    bool ok = coarse || csg_tiler_look(tiler, &task->tree);
     for (int i = 0; i < tiler->parts.num && ok; i++)
-        ok = copy_parts_of(tiler, task, &parts[i]) && fold_and_settle(tiler, &parts[i], i);
+        ok = copy_parts_of(tiler, task, &parts[i]) &&
+             (coarse ? sift_and_leave(tiler, &parts[i]) : fold_and_settle(tiler, &parts[i], i));
     drop_task(tiler, task);
     return ok;
 }
@@ -321,6 +346,8 @@ static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
 /* The first task, which is all of the area. Takes it. */
 static bool begin(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
+    if (is_coarse(tiler, task))
+        return sift_and_leave(tiler, task);
     tiler->parts.num = 1;
     tiler->parts.rects[0] = csg_tile_rect(task);
     if (csg_tiler_sift(tiler, task) && csg_tiler_look(tiler, &task->tree))
