@@ -174,6 +174,10 @@ struct csg_carrier_spread csg_carrier_spread_of(const struct csg_carrier_builder
 bool csg_carrier_find_met(const struct csg_carrier_builder *builder, const struct csg_plane *plane,
                           struct csg_face *face);
 
+/* Whether a face with that plane may lie on a carrier of planes. */
+bool csg_carrier_may_take(const struct csg_carrier_builder *builder, uint32_t carrier,
+                          const struct csg_plane *plane, const struct csg_leaf_extent *extent);
+
 /* The carrier that the plane, or the leaf's quadric, lies on: of all that are within the tolerance
  * the first, which does not depend on how they are looked for; false: there is none. */
 bool csg_carrier_find_plane(const struct csg_carrier_builder *builder,

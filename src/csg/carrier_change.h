@@ -2,7 +2,8 @@
 #ifndef CSG_CSG_CARRIER_CHANGE_H
 #define CSG_CSG_CARRIER_CHANGE_H
 
-/* An edit of carriers on its way. For carrier_edit.c, carrier_exchange.c and carrier_settle.c. */
+/* An edit of carriers on its way. For carrier_edit.c, carrier_exchange.c,
+ * carrier_concern.c and carrier_settle.c. */
 
 #include "csg/carrier_builder.h"
 #include "csg/carrier_edit.h"
@@ -13,12 +14,21 @@ struct csg_carrier_item {
     bool was_first;       /* before the edit a carrier came from it, which has not changed */
 };
 
+/* A carrier whose faces may lie on a new one, which comes before it. */
+struct csg_carrier_suspect {
+    uint32_t carrier, created;
+    uint32_t next; /* of the same carrier, as in suspected */
+};
+
 /* Of one kind of faces. */
 struct csg_carrier_work {
     CSG_ARRAY(struct csg_carrier_item) items;
     CSG_ARRAY(uint32_t) affected; /* carriers whose faces are still to become items */
     CSG_ARRAY(uint32_t) created;  /* by the pass at hand */
-    uint8_t *marks;               /* by carrier: it is affected */
+    CSG_ARRAY(struct csg_carrier_suspect) suspects; /* of the pass at hand */
+    uint32_t *suspected; /* by carrier, from 1: its first one in suspects; 0: there is none */
+    uint32_t last;       /* of the carriers that were there the one of the last rank, or none */
+    uint8_t *marks;      /* by carrier: it is affected */
     size_t num_marks;
 };
 
@@ -51,6 +61,16 @@ static inline struct csg_plane csg_plane_of(const struct csg_carrier_change *cha
                                             const struct csg_rank *rank)
 {
     return csg_carrier_plane(change->builder, &change->scene->leaves[rank->leaf].shape, rank);
+}
+
+static inline struct csg_face *csg_face_of(const struct csg_carrier_change *change,
+                                           enum csg_face_kind kind, const struct csg_rank *rank)
+{
+    const struct csg_carriers *carriers = change->carriers;
+    if (kind == CSG_QUADRIC)
+        return &carriers->quadric_faces[rank->leaf];
+    return &carriers
+                ->faces[carriers->face_begin[rank->leaf] + csg_carrier_face(change->builder, rank)];
 }
 
 /* How many ranks faces of a leaf may have that is there now; those of a surface that are all remote
@@ -94,6 +114,15 @@ bool csg_carrier_affect(struct csg_carrier_change *change, enum csg_face_kind ki
 
 /* Takes the leaves that are touched out and puts them in as they are now. */
 bool csg_carrier_exchange(struct csg_carrier_change *change);
+
+/* Before carriers are made: which of those that are there comes last. */
+void csg_carrier_find_last(struct csg_carrier_change *change, enum csg_face_kind kind);
+
+/* Carriers whose faces may lie on a new one are affected, or suspects. Then all faces of suspects
+ * are asked, which may leave few of them. false: out of memory. */
+bool csg_carrier_concern(struct csg_carrier_change *change, enum csg_face_kind kind,
+                         uint32_t created);
+bool csg_carrier_confirm(struct csg_carrier_change *change, enum csg_face_kind kind);
 
 /* Gives the items and the faces of affected carriers their carriers. */
 bool csg_carrier_settle(struct csg_carrier_change *change, enum csg_face_kind kind);

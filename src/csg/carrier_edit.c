@@ -69,7 +69,8 @@ static bool start_work(struct csg_carrier_work *work, size_t num_carriers)
 {
     work->num_marks = num_carriers;
     work->marks = calloc(num_carriers + 1, 1);
-    return work->marks != NULL;
+    work->suspected = calloc(num_carriers + 1, sizeof *work->suspected);
+    return work->marks && work->suspected;
 }
 
 /* The carriers are those of before, for now. */
@@ -270,6 +271,8 @@ static void finish(struct csg_carrier_change *change)
         free(change->work[kind].items.data);
         free(change->work[kind].affected.data);
         free(change->work[kind].created.data);
+        free(change->work[kind].suspects.data);
+        free(change->work[kind].suspected);
         free(change->work[kind].marks);
     }
     for (size_t i = 0; i < change->met.num; i++) {

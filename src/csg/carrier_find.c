@@ -45,6 +45,14 @@ static double alignment(const struct csg_plane *a, const struct csg_plane *b)
     return csg_dot(a->normal, b->normal) < 0 ? -1 : 1;
 }
 
+bool csg_carrier_may_take(const struct csg_carrier_builder *builder, uint32_t carrier,
+                          const struct csg_plane *plane, const struct csg_leaf_extent *extent)
+{
+    const struct csg_plane *there = &builder->carriers->planes[carrier];
+    return plane_deviation(plane, there, alignment(plane, there), extent) <=
+           csg_carrier_tolerance(extent, builder->lists[CSG_PLANE].rounding.data[carrier]);
+}
+
 /* Whether the face of that rank asks for the carrier: it comes before the face, and before what was
  * found so far. */
 static bool is_asked_for(const struct csg_carrier_builder *builder, enum csg_face_kind kind,
@@ -67,11 +75,11 @@ static void find_parallel(const struct csg_carrier_builder *builder, const struc
     for (uint32_t i; (i = csg_index_next(&builder->index, &probe)) != CSG_NO_CARRIER;) {
         if (!is_asked_for(builder, CSG_PLANE, i, rank, face->carrier))
             continue;
-        const struct csg_plane *carrier = &builder->carriers->planes[i];
-        const double s = alignment(plane, carrier);
-        if (plane_deviation(plane, carrier, s, extent) <=
-            csg_carrier_tolerance(extent, builder->lists[CSG_PLANE].rounding.data[i]))
-            *face = (struct csg_face){.carrier = i, .flipped = s < 0, .is_other = true};
+        if (csg_carrier_may_take(builder, i, plane, extent))
+            *face =
+                (struct csg_face){.carrier = i,
+                                  .flipped = alignment(plane, &builder->carriers->planes[i]) < 0,
+                                  .is_other = true};
     }
 }
 

@@ -6,67 +6,6 @@
 
 #include "csg/carrier_change.h"
 
-static struct csg_face *face_of(struct csg_carrier_change *change, enum csg_face_kind kind,
-                                const struct csg_rank *rank)
-{
-    struct csg_carriers *carriers = change->carriers;
-    if (kind == CSG_QUADRIC)
-        return &carriers->quadric_faces[rank->leaf];
-    return &carriers
-                ->faces[carriers->face_begin[rank->leaf] + csg_carrier_face(change->builder, rank)];
-}
-
-/* ---- what a new carrier concerns ---------------------------------------------------------- */
-
-/* Faces of a carrier that comes later may lie on that of the rank. */
-static bool affect_later(struct csg_carrier_change *change, enum csg_face_kind kind,
-                         uint32_t carrier, const struct csg_rank *rank)
-{
-    return csg_rank_compare(csg_rank_of(change, kind, carrier), rank) <= 0 ||
-           csg_carrier_affect(change, kind, carrier);
-}
-
-/* In the cells of one width. */
-static bool affect_turned_planes(struct csg_carrier_change *change, int width,
-                                 const struct csg_plane *plane, const struct csg_rank *rank)
-{
-    const struct csg_carrier_index *index = &change->builder->index;
-    struct csg_index_probe probe;
-    csg_index_probe_normals(index, width, plane, &probe);
-    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
-        for (; i != CSG_NO_CARRIER; i = csg_index_next_member(index, width, i))
-            if (!affect_later(change, CSG_PLANE, i, rank))
-                return false;
-    return true;
-}
-
-/* Which width a face looks for the plane in is known to the face only. */
-static bool affect_near_plane(struct csg_carrier_change *change, const struct csg_rank *rank)
-{
-    const struct csg_carrier_index *index = &change->builder->index;
-    const struct csg_plane plane = csg_plane_of(change, rank);
-    struct csg_index_probe probe;
-    csg_index_probe_parallel(index, &plane, &probe);
-    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
-        if (!affect_later(change, CSG_PLANE, i, rank))
-            return false;
-    for (int i = 0; i < index->space.num_widths; i++)
-        if (!affect_turned_planes(change, i, &plane, rank))
-            return false;
-    return true;
-}
-
-static bool affect_near_quadric(struct csg_carrier_change *change, const struct csg_rank *rank)
-{
-    const struct csg_carrier_index *index = &change->builder->index;
-    struct csg_index_probe probe;
-    csg_index_probe_quadric(index, &change->scene->leaves[rank->leaf].shape.quadric, &probe);
-    for (uint32_t i; (i = csg_index_next(index, &probe)) != CSG_NO_CARRIER;)
-        if (!affect_later(change, CSG_QUADRIC, i, rank))
-            return false;
-    return true;
-}
-
 /* ---- carriers and faces that go ------------------------------------------------------------ */
 
 static void take_face(struct csg_carrier_change *change, const struct csg_rank *rank,
@@ -88,7 +27,7 @@ static bool collect_leaf(struct csg_carrier_change *change, enum csg_face_kind k
     struct csg_rank rank = {.leaf = leaf};
     const uint32_t num_faces = kind == CSG_QUADRIC ? 1 : csg_num_ranks(change->builder, leaf);
     for (; rank.face < num_faces; rank.face++) {
-        struct csg_face *face = face_of(change, kind, &rank);
+        struct csg_face *face = csg_face_of(change, kind, &rank);
         if (face->carrier >= work->num_marks || !work->marks[face->carrier])
             continue;
         struct csg_carrier_item item = {csg_carrier_rank(change->builder, leaf, rank.face), false};
@@ -140,7 +79,7 @@ static bool undo(struct csg_carrier_change *change, enum csg_face_kind kind)
     bool ok = true;
     for (size_t i = 0; i < work->items.num; i++) {
         const struct csg_rank *rank = &work->items.data[i].rank;
-        struct csg_face *face = face_of(change, kind, rank);
+        struct csg_face *face = csg_face_of(change, kind, rank);
         if (face->carrier == CSG_NO_CARRIER)
             continue;
         change->builder->lists[kind].uses.data[face->carrier]--;
@@ -180,15 +119,14 @@ static bool assign(struct csg_carrier_change *change, enum csg_face_kind kind,
 {
     struct csg_carrier_builder *builder = change->builder;
     const struct csg_rank *rank = &item->rank;
-    struct csg_face *face = face_of(change, kind, rank);
+    struct csg_face *face = csg_face_of(change, kind, rank);
     if (!(kind == CSG_PLANE ? assign_plane(builder, rank, face) : assign_quadric(builder, rank)))
         return false;
     if (csg_rank_compare(csg_rank_of(change, kind, face->carrier), rank) != 0)
         return true;
     if (!csg_array_push(&change->work[kind].created, face->carrier))
         return false;
-    return item->was_first || (kind == CSG_PLANE ? affect_near_plane(change, rank)
-                                                 : affect_near_quadric(change, rank));
+    return item->was_first || csg_carrier_concern(change, kind, face->carrier);
 }
 
 /* All items so far, in their order, until the carriers that they make concern no others. */
@@ -200,8 +138,10 @@ bool csg_carrier_settle(struct csg_carrier_change *change, enum csg_face_kind ki
         ok = undo(change, kind) && collect(change, kind);
         if (work->items.num > 1)
             qsort(work->items.data, work->items.num, sizeof *work->items.data, compare_items);
+        csg_carrier_find_last(change, kind);
         for (size_t i = 0; i < work->items.num && ok; i++)
             ok = assign(change, kind, &work->items.data[i]);
+        ok = ok && csg_carrier_confirm(change, kind);
     } while (ok && work->affected.num > 0);
     return ok;
 }

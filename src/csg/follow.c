@@ -11,6 +11,7 @@
 #include "csg/distribute.h"
 #include "csg/follower.h"
 #include "csg/framing.h"
+#include "csg/kin.h"
 #include "csg/operand.h"
 #include "csg/sharpness.h"
 
@@ -118,54 +119,6 @@ static bool keep_structure(struct follow *follow)
 
 /* ---- carriers ------------------------------------------------------------------------------ */
 
-/* How many faces of the object of leaf lie on a carrier of planes or of quadrics. */
-static uint32_t count_faces(const struct follow *follow, const struct csg_carriers *carriers,
-                            uint32_t leaf, bool quadric, uint32_t carrier)
-{
-    const struct csg_object *object =
-        &follow->scene->objects->data[follow->follower->objects[leaf]];
-    const struct csg_node *nodes = follow->scene->trees[object->layer].data;
-    uint32_t num = 0;
-    for (uint32_t i = object->begin; i < object->end; i++) {
-        const uint32_t other = nodes[i].leaf;
-        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
-            continue;
-        num += quadric && carriers->quadric_faces[other].carrier == carrier;
-        for (uint32_t j = carriers->face_begin[other];
-             j < carriers->face_begin[other + 1] && !quadric; j++)
-            num += carriers->faces[j].carrier == carrier;
-    }
-    return num;
-}
-
-static bool is_shared(const struct follow *follow, const struct csg_carriers *carriers,
-                      uint32_t leaf, bool quadric, uint32_t carrier)
-{
-    if (carrier == CSG_NO_CARRIER)
-        return false;
-    const uint32_t uses =
-        carriers->kept->lists[quadric ? CSG_QUADRIC : CSG_PLANE].uses.data[carrier];
-    return uses > 1 && uses > count_faces(follow, carriers, leaf, quadric, carrier);
-}
-
-/* Whether a leaf that has changed has a carrier in common with another object. */
-static bool has_kin(const struct follow *follow, const struct csg_carriers *carriers)
-{
-    bool found = false;
-    for (size_t i = 0; i < follow->before->num && !found; i++) {
-        const uint32_t leaf = follow->before->leaves[i];
-        if (!carriers->kept->wanted[leaf])
-            continue;
-        if (follow->scene->leaves[leaf].shape.surface)
-            return true; /* as good as always */
-        found = is_shared(follow, carriers, leaf, true, carriers->quadric_faces[leaf].carrier);
-        for (uint32_t j = carriers->face_begin[leaf]; j < carriers->face_begin[leaf + 1] && !found;
-             j++)
-            found = is_shared(follow, carriers, leaf, false, carriers->faces[j].carrier);
-    }
-    return found;
-}
-
 /* The quadrics of the objects that are known to be concerned. */
 static void mark_quadrics(const struct follow *follow, const struct csg_carriers *carriers,
                           uint8_t *marks)
@@ -220,9 +173,15 @@ static bool add_renewed(struct follow *follow)
 /* The box of all objects as they are now. */
 static struct csg_box renew_totals(struct follow *follow)
 {
-    for (size_t i = 0; i < follow->boxes.num; i++)
-        csg_totals_renew(&follow->follower->totals, follow->scene, follow->objects.data[i]);
+    csg_totals_renew(&follow->follower->totals, follow->scene, follow->objects.data,
+                     follow->boxes.num);
     return csg_totals_sum(&follow->follower->totals).drawn;
+}
+
+static bool find_kin(const struct follow *follow, const struct csg_carriers *carriers, bool *found)
+{
+    return csg_find_kin(follow->scene, carriers, follow->before->changed, follow->objects.data,
+                        follow->boxes.num, found);
 }
 
 /* The scene gets its new carriers, and old what it had. */
@@ -230,7 +189,9 @@ static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
 {
     struct csgcast_scene *scene = follow->scene;
     const bool had_shared = scene->carriers->num_shared > 0;
-    const bool had_kin = had_shared && has_kin(follow, scene->carriers);
+    bool had_kin, has_kin;
+    if (!find_kin(follow, scene->carriers, &had_kin))
+        return false;
     const struct csg_box box = renew_totals(follow);
     struct csg_before before = *follow->before;
     before.objects = follow->objects.data;
@@ -244,7 +205,9 @@ static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
     if (!carriers->renewed) /* found anew, for all leaves */
         return false;
     const bool has_shared = carriers->num_shared > 0;
-    follow->joins = had_kin || (has_shared && has_kin(follow, carriers));
+    if (!find_kin(follow, carriers, &has_kin))
+        return false;
+    follow->joins = had_kin || has_kin;
     return add_renewed(follow) && (!(had_shared || has_shared) || add_sharers(follow, *old));
 }
 

@@ -62,9 +62,12 @@ void csg_totals_finish(struct csg_totals *totals)
     free(totals->sums);
 }
 
-void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *scene, uint32_t object)
+void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *scene,
+                      const uint32_t *objects, size_t num)
 {
-    add_run(totals, scene, object / RUN);
+    for (size_t i = 0; i < num; i++)
+        if (i == 0 || objects[i] / RUN != objects[i - 1] / RUN)
+            add_run(totals, scene, objects[i] / RUN);
 }
 
 struct csg_sum csg_totals_sum(const struct csg_totals *totals)

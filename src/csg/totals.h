@@ -25,9 +25,9 @@ struct csg_totals {
 bool csg_totals_init(struct csg_totals *totals, const struct csgcast_scene *scene);
 void csg_totals_finish(struct csg_totals *totals);
 
-/* Adds up the run of an object that has changed. */
+/* Adds up the runs of objects that have changed; those of one run had better stand together. */
 void csg_totals_renew(struct csg_totals *totals, const struct csgcast_scene *scene,
-                      uint32_t object);
+                      const uint32_t *objects, size_t num);
 
 /* Of all objects. */
 struct csg_sum csg_totals_sum(const struct csg_totals *totals);
