@@ -3,9 +3,15 @@
 
 #include <stdlib.h>
 
+#include "mesh/surface.h"
+
 /* Share of the coordinates within which the eye is on a surface: double computes heights to 10^-15.
  */
 #define NEAR_EYE 1e-11
+
+/* A triangle less than this many times as far from the eye is met before its rays are followed
+ * (NEAR_SHARE in pack/surface.c), by some of a wide view's rays. */
+#define NEAR_SURFACE 100
 
 bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_object *object,
                          struct csg_vec3 point)
@@ -42,6 +48,17 @@ double csg_eye_near(const struct csgcast_scene *scene, struct csg_vec3 eye)
     if (csg_box_is_finite(&scene->box) && !csg_box_is_empty(&scene->box))
         size = fmax(size, fmax(largest(scene->box.lo), largest(scene->box.hi)));
     return NEAR_EYE * size;
+}
+
+bool csg_eye_is_on_surface(const struct csgcast_scene *scene, struct csg_vec3 eye)
+{
+    const double distance = NEAR_SURFACE * csg_eye_near(scene, eye);
+    for (size_t i = 0; i < scene->num_leaves; i++) {
+        const struct csg_shape *shape = &scene->leaves[i].shape;
+        if (shape->surface && csg_surface_is_at(shape->surface, &shape->frame, eye, distance))
+            return true;
+    }
+    return false;
 }
 
 bool csg_object_is_near(const struct csgcast_scene *scene, const struct csg_object *object,

@@ -20,4 +20,8 @@ bool csg_object_is_near(const struct csgcast_scene *scene, const struct csg_obje
  */
 double csg_eye_near(const struct csgcast_scene *scene, struct csg_vec3 eye);
 
+/* Whether the eye is on a triangle of a surface, or hardly off it: what is around the eye then is
+ * different for each ray. */
+bool csg_eye_is_on_surface(const struct csgcast_scene *scene, struct csg_vec3 eye);
+
 #endif

@@ -138,3 +138,39 @@ int csg_surface_winding(const struct csg_surface *surface, const struct csg_map 
     free(meetings.data);
     return winding;
 }
+
+static bool triangle_is_at(const struct csg_surface *surface, const struct csg_triangle *triangle,
+                           struct csg_vec3 p, double distance)
+{
+    const struct csg_plane *plane = &surface->planes.data[triangle->plane];
+    if (fabs(csg_dot(plane->normal, p) - plane->offset) > distance)
+        return false;
+    for (int i = 0; i < 3; i++) {
+        const struct csg_vec3 a = surface->points.data[triangle->points[i]];
+        const struct csg_vec3 b = surface->points.data[triangle->points[(i + 1) % 3]];
+        const struct csg_vec3 out = csg_normalize(csg_cross(csg_sub(b, a), plane->normal));
+        if (csg_dot(out, csg_sub(p, a)) > distance)
+            return false;
+    }
+    return true;
+}
+
+bool csg_surface_is_at(const struct csg_surface *surface, const struct csg_map *place,
+                       struct csg_vec3 p, double distance)
+{
+    struct csg_map inverse;
+    if (!csg_map_invert(place, &inverse))
+        return false;
+    p = csg_map_point(&inverse, p);
+    distance *= csg_map_stretch(&inverse);
+    const struct csg_box at = {p, p}, around = csg_box_grown(&at, distance);
+    const struct csg_box_node *nodes = surface->nodes.data;
+    for (size_t i = 0; i < surface->nodes.num;) {
+        const bool meets = csg_box_overlaps(&nodes[i].box, &around);
+        for (uint32_t j = 0; meets && j < nodes[i].num; j++)
+            if (triangle_is_at(surface, &surface->triangles.data[nodes[i].first + j], p, distance))
+                return true;
+        i = meets ? i + 1 : nodes[i].end;
+    }
+    return false;
+}

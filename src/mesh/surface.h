@@ -134,4 +134,8 @@ bool csg_surface_meet(const struct csg_surface *surface, const struct csg_map *p
 int csg_surface_winding(const struct csg_surface *surface, const struct csg_map *place,
                         struct csg_vec3 p);
 
+/* Whether p is on a triangle, or nearer to its plane and its sides than distance. */
+bool csg_surface_is_at(const struct csg_surface *surface, const struct csg_map *place,
+                       struct csg_vec3 p, double distance);
+
 #endif

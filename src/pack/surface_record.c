@@ -332,10 +332,13 @@ bool csg_surface_add_record(struct csg_terms *terms, const struct csg_step *step
                             const int hi[2])
 {
     const struct csg_pixel at = terms->frame->at;
-    struct record record = {.part = {.terms = terms,
-                                     .view = csg_terms_view(terms, step->leaf),
-                                     .size = {hi[0] - lo[0], hi[1] - lo[1]},
-                                     .lo = {lo[0] - at.x, lo[1] - at.y}}};
+    struct record record = {.part = {.terms = terms, .view = csg_terms_view(terms, step->leaf)}};
+    for (int i = 0; i < 2; i++) {
+        const int begin = lo[i] / CSG_PIXEL_BLOCK * CSG_PIXEL_BLOCK;
+        const int end = (hi[i] + CSG_PIXEL_BLOCK - 1) / CSG_PIXEL_BLOCK * CSG_PIXEL_BLOCK;
+        record.part.size[i] = end - begin;
+        record.part.lo[i] = begin - (i == 0 ? at.x : at.y);
+    }
     const struct csg_view_rect rect = {{record.part.lo[0] + 0.5, record.part.lo[1] + 0.5},
                                        {record.part.lo[0] + record.part.size[0] - 0.5,
                                         record.part.lo[1] + record.part.size[1] - 0.5}};

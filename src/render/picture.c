@@ -57,8 +57,8 @@ static void tell(const struct csg_picture *picture, double *told)
 static bool draw_strips(struct csg_picture *picture)
 {
     const struct csg_request *request = picture->request;
-    int rows = MAX_STRIP_PIXELS / request->width;
-    rows = rows < 1 ? 1 : rows > request->height ? request->height : rows;
+    int rows = MAX_STRIP_PIXELS / request->width / CSG_PIXEL_BLOCK * CSG_PIXEL_BLOCK;
+    rows = rows > request->height ? request->height : rows;
     const struct csg_targets_use use = {picture->batches.direct, picture->bytes,
                                         picture->want_geometry, picture->want_leaf};
     if (!csg_targets_resize(&picture->renderer->targets, picture->gl, request->width, rows, &use))

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "csg/membership.h"
 #include "reference/reference.h"
 #include "render/start.h"
 
@@ -196,6 +197,14 @@ static bool is_within_float(const struct csg_request *request)
     return (reach > MIN_DISTANCE && reach < MAX_DISTANCE) || isinf(reach);
 }
 
+/* A surface's turns around the eye are one number for all rays (src/pack/surface.c). */
+static bool is_off_surfaces(const struct csg_request *request)
+{
+    const double *eye = request->frustum.eye;
+    return request->frustum.orthographic ||
+           !csg_eye_is_on_surface(request->scene, csg_vec3(eye[0], eye[1], eye[2]));
+}
+
 /* A context that could not be made says so once; every picture fails. */
 static bool is_ready(struct csgcast_renderer *renderer)
 {
@@ -233,7 +242,7 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
                                                 request.height,          request.scheme,
                                                 request.view->cut_color, renderer->num_threads};
     const struct csg_reference_part whole = {.num_rows = request.height};
-    const bool by_gl = renderer->gl && is_within_float(&request);
+    const bool by_gl = renderer->gl && is_within_float(&request) && is_off_surfaces(&request);
     const bool ok = by_gl ? render_with_gl(renderer, &request)
                           : csg_reference_render(scene, &params, &whole, request.image) ||
                                 csg_log_memory(&renderer->log);
