@@ -21,7 +21,8 @@ static void write_log(const char *path, const struct csg_bytes *output)
     FILE *file = path ? fopen(path, "w") : NULL;
     if (!file)
         return;
-    fwrite(output->data, 1, output->num, file);
+    if (output->num)
+        fwrite(output->data, 1, output->num, file);
     fclose(file);
 }
 

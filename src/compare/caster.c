@@ -185,8 +185,9 @@ static struct csg_mesh_hit trace(struct csg_caster *base, const struct csg_mesh_
     const double closest = -csg_dot(query.org, query.dir) / (length * length);
     caster->crossings.num = 0;
     shoot(&query, closest - 1.01 * caster->radius / length);
-    qsort(caster->crossings.data, caster->crossings.num, sizeof *caster->crossings.data,
-          compare_crossings);
+    if (caster->crossings.num)
+        qsort(caster->crossings.data, caster->crossings.num, sizeof *caster->crossings.data,
+              compare_crossings);
     return first_hit(caster, length);
 }
 
