@@ -161,8 +161,6 @@ csg_clip_result combine(csg_clip_op op, uint32_t num_operands, const csg_clip_pa
 /* What OpenSCAD allows a mitered corner, in units of the distance. */
 constexpr double miter_limit = 1e6;
 
-constexpr double pi = 3.14159265358979323846;
-
 ClipperLib::JoinType join_of(csg_clip_join join)
 {
     if (join == CSG_CLIP_JOIN_ROUND)
@@ -176,8 +174,7 @@ csg_clip_result offset(const csg_clip_offset *how, const csg_clip_path *paths, s
     if (is_too_large(paths, num) || !(std::fabs(how->distance) < max_coordinate))
         return CSG_CLIP_TOO_LARGE;
     try {
-        const double tolerance = std::fabs(how->distance) * (1 - std::cos(pi / how->num));
-        ClipperLib::ClipperOffset mover(miter_limit, tolerance * scale);
+        ClipperLib::ClipperOffset mover(miter_limit, how->tolerance * scale);
         PolyTree result;
         for (size_t i = 0; i < num; i++)
             mover.AddPath(path_of(paths[i]), join_of(how->join), ClipperLib::etClosedPolygon);

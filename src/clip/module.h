@@ -51,7 +51,7 @@ struct csg_clip_pen {
 struct csg_clip_offset {
     double distance;
     enum csg_clip_join join; /* BEVEL: Clipper's square joins */
-    int num;                 /* ROUND: segments of a full circle */
+    double tolerance;        /* ROUND: how far a segment may be from the arc */
 };
 
 enum csg_clip_result {

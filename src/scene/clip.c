@@ -6,6 +6,7 @@
 
 #include "clip/module.h"
 #include "common/module.h"
+#include "solids/facets.h"
 
 bool csg_clip_is_wanted(struct csg_walk *walk)
 {
@@ -122,6 +123,13 @@ bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint3
     return ok || csg_log_memory(&walk->builder->report->log);
 }
 
+/* As OpenSCAD finds it (visit(OffsetNode) in its GeometryEvaluator.cc): to the last bit, which decides
+ * whether an arc of a half of a segment more gets one. */
+static double arc_tolerance(const struct csg_offset *offset)
+{
+    return fabs(offset->distance) * (1 - csg_cos_degrees(180.0 / offset->num));
+}
+
 static bool move(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
                  const struct paths *paths, const struct csg_offset *offset,
                  struct csg_drawing *result, bool *taken)
@@ -130,7 +138,8 @@ static bool move(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t no
                                                [CSG_JOIN_MITER] = CSG_CLIP_JOIN_MITER,
                                                [CSG_JOIN_SQUARE] = CSG_CLIP_JOIN_BEVEL};
     const struct csg_clip_sink sink = {result, begin_contour, add_point};
-    const struct csg_clip_offset how = {offset->distance, joins[offset->join], offset->num};
+    const struct csg_clip_offset how = {offset->distance, joins[offset->join],
+                                        arc_tolerance(offset)};
     const enum csg_clip_result done =
         walk->builder->clip.module->offset(&how, paths->list.data, paths->list.num, &sink);
     *taken = done == CSG_CLIP_DONE;
