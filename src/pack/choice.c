@@ -24,6 +24,10 @@
 #define FEW_TESTS 0.7
 #define MANY_TESTS 3.0
 
+/* Where solids of nested trees overlap so that tiles are dear, cells take so many times as long to
+ * make as elsewhere: it is worth it for several frames only. */
+#define NESTED_COST 8.0
+
 static bool is_nested(const struct csg_terms *terms, const struct csg_object *object)
 {
     const struct csg_node *nodes = terms->scene->trees[object->layer].data;
@@ -47,29 +51,34 @@ static bool is_askew(const struct csgcast_scene *scene, const struct csg_object 
     return false;
 }
 
-/* What cells would spare this object in this frame, in tests; 0: nothing. false: out of memory. */
-static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
-                        const struct csg_rect *rect, struct csg_draw *draw, double *spared)
+/* The tests a pixel from which on cells are faster. */
+static double find_limit(const struct csg_terms *terms, const struct csg_object *object,
+                         const struct csg_draw *draw)
 {
-    bool quadrics;
-    const bool bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
-    draw->nested = is_nested(terms, object);
     const double askew = is_askew(terms->scene, object) ? ASKEW : 1;
-    const double most = askew * (bunched        ? MAX_TESTS_BUNCHED
-                                 : draw->nested ? MAX_TESTS_NESTED
-                                                : MAX_TESTS_ROW);
-    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+    return askew * (draw->bunched  ? MAX_TESTS_BUNCHED
+                    : draw->nested ? MAX_TESTS_NESTED
+                                   : MAX_TESTS_ROW);
+}
+
+static double area_of(const struct csg_rect *rect)
+{
+    return (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+}
+
+/* What cells would spare this object in this frame, in tests, as samples of its tiles say; 0:
+ * nothing. false: out of memory. */
+static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
+                        const struct csg_rect *rect, const struct csg_draw *draw, double limit,
+                        double *spared)
+{
+    const double area = area_of(rect);
     double tests;
-    *spared = 0;
-    if (terms->views.num)
-        return true;
-    draw->may_walk = true;
-    draw->bunched = bunched;
     if (csg_cells_recall(terms->scene, draw->object, area, spared))
         return true;
-    if (!csg_tile_sample(terms, object, rect, draw, FEW_TESTS * most, MANY_TESTS * most, &tests))
+    if (!csg_tile_sample(terms, object, rect, draw, FEW_TESTS * limit, MANY_TESTS * limit, &tests))
         return false;
-    *spared = fmax(tests - most, 0) * area;
+    *spared = fmax(tests - limit, 0) * area;
     csg_cells_remember(terms->scene, draw->object, area, *spared);
     return true;
 }
@@ -83,23 +92,74 @@ static size_t count_loose(const struct csg_terms *terms)
     return num;
 }
 
+/* Whether rays of this frame may walk through cells of the object. */
+static bool may_walk(const struct csg_terms *terms, const struct csg_object *object,
+                     const struct csg_draw *draw)
+{
+    return draw->object != CSG_WHOLE_LAYER && !draw->around_eye && !draw->precise &&
+           csg_walk_can_see(&terms->frame->screen, &object->box);
+}
+
+/* The cells, if there is room for them. */
+static const struct csg_cells *ask_for_cells(const struct csg_terms *terms,
+                                             const struct csg_draw *draw, double spared)
+{
+    const struct csg_cells *cells =
+        csg_cells_of(terms->scene, draw->object, spared, terms->params->num_threads);
+    return cells && csg_walk_has_room(terms->frame, cells) ? cells : NULL;
+}
+
+/* ... where they are better than tiles. */
+static bool choose(const struct csg_terms *terms, const struct csg_object *object,
+                   const struct csg_rect *rect, struct csg_draw *draw,
+                   const struct csg_cells **cells, size_t *max_tests)
+{
+    bool quadrics;
+    double spared;
+    draw->may_walk = true;
+    draw->nested = is_nested(terms, object);
+    draw->bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
+    const double limit = find_limit(terms, object, draw);
+    if (!find_spared(terms, object, rect, draw, limit, &spared))
+        return false;
+    if (spared > 0)
+        *cells = ask_for_cells(terms, draw, spared);
+    else if (csg_cells_can_hold(terms->scene, object))
+        *max_tests = (size_t)(limit * area_of(rect) + (draw->nested ? NESTED_COST : 1) *
+                                                          csg_cells_cost(terms->scene, object));
+    return true;
+}
+
 bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
                       const struct csg_rect *rect, struct csg_draw *draw,
-                      const struct csg_cells **cells)
+                      const struct csg_cells **cells, size_t *max_tests)
 {
     const enum csg_cells_use use = terms->params->cells;
-    double spared = INFINITY;
     *cells = NULL;
-    const bool is_small = use == CSG_CELLS_WHERE_BETTER && count_loose(terms) < MIN_CELL_LEAVES;
-    if (use == CSG_CELLS_NEVER || is_small || draw->object == CSG_WHOLE_LAYER || draw->around_eye ||
-        draw->precise || !csg_walk_can_see(&terms->frame->screen, &object->box))
+    *max_tests = SIZE_MAX;
+    if (use == CSG_CELLS_NEVER || !may_walk(terms, object, draw))
         return true;
-    if (use == CSG_CELLS_WHERE_BETTER && !find_spared(terms, object, rect, draw, &spared))
-        return false;
-    if (spared == 0)
-        return true;
-    *cells = csg_cells_of(terms->scene, draw->object, spared, terms->params->num_threads);
-    if (*cells && !csg_walk_has_room(terms->frame, *cells))
-        *cells = NULL;
+    if (use == CSG_CELLS_ALWAYS)
+        *cells = ask_for_cells(terms, draw, INFINITY);
+    else if (terms->views.num == 0 && count_loose(terms) >= MIN_CELL_LEAVES)
+        return choose(terms, object, rect, draw, cells, max_tests);
     return true;
+}
+
+void csg_cells_learn(const struct csg_terms *terms, const struct csg_rect *rect,
+                     const struct csg_draw *draw, size_t tests)
+{
+    const double area = area_of(rect);
+    if (!draw->may_walk)
+        return;
+    const double limit = find_limit(terms, &terms->scene->objects->data[draw->object], draw);
+    if ((double)tests > MANY_TESTS * limit * area)
+        csg_cells_remember(terms->scene, draw->object, area, (double)tests - limit * area);
+}
+
+const struct csg_cells *csg_cells_instead(const struct csg_terms *terms,
+                                          const struct csg_object *object,
+                                          const struct csg_draw *draw)
+{
+    return ask_for_cells(terms, draw, csg_cells_cost(terms->scene, object));
 }

@@ -10,10 +10,20 @@
 /*
  * The cells in which an object is drawn in this frame; NULL where it is not: cells are for rays
  * that start outside of it, for keys in float, and for where tiles make too little of it. terms are
- * the object's; draw gets may_walk and bunched. false: out of memory.
+ * the object's; draw gets may_walk and bunched. Tiles that need more than *max_tests, tests of a
+ * solid at a pixel, are dearer than cells, whatever samples of them told. false: out of memory.
  */
 bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *object,
                       const struct csg_rect *rect, struct csg_draw *draw,
-                      const struct csg_cells **cells);
+                      const struct csg_cells **cells, size_t *max_tests);
+
+/* For later frames: what all tiles of the object need, where samples told much less. */
+void csg_cells_learn(const struct csg_terms *terms, const struct csg_rect *rect,
+                     const struct csg_draw *draw, size_t tests);
+
+/* The cells for an object whose tiles need more than max_tests. NULL: there are none. */
+const struct csg_cells *csg_cells_instead(const struct csg_terms *terms,
+                                          const struct csg_object *object,
+                                          const struct csg_draw *draw);
 
 #endif

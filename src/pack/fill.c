@@ -169,6 +169,31 @@ static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
     return params->whole(index, area, params->user);
 }
 
+static bool tile(struct packer *packer, const struct csg_object *object,
+                 const struct csg_rect *rect, const struct csg_draw *draw, size_t max_tests,
+                 size_t *tests)
+{
+    const double start = csg_clock_ms();
+    const bool ok = csg_tile_object(&packer->terms, object, rect, draw, max_tests, tests);
+    packer->frame->tile_ms += csg_clock_ms() - start;
+    return ok;
+}
+
+/* ... or cells, where tiles turn out to need more than max_tests. */
+static bool add_tiles(struct packer *packer, const struct csg_object *object,
+                      const struct csg_rect *rect, const struct csg_draw *draw, size_t max_tests)
+{
+    size_t tests;
+    if (!tile(packer, object, rect, draw, max_tests, &tests))
+        return false;
+    csg_cells_learn(&packer->terms, rect, draw, tests);
+    if (tests <= max_tests)
+        return true;
+    const struct csg_cells *cells = csg_cells_instead(&packer->terms, object, draw);
+    return cells ? csg_walk_add(&packer->terms, cells, rect, draw)
+                 : tile(packer, object, rect, draw, SIZE_MAX, &tests);
+}
+
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
 {
     struct csg_rect rect;
@@ -194,7 +219,9 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.around_eye =
         index == CSG_WHOLE_LAYER || csg_screen_eye_is_in(&packer->frame->screen, &object->box);
     const struct csg_cells *cells = NULL;
-    if (!draw.has_rear && !csg_cells_choose(&packer->terms, object, &rect, &draw, &cells))
+    size_t max_tests = SIZE_MAX;
+    if (!draw.has_rear &&
+        !csg_cells_choose(&packer->terms, object, &rect, &draw, &cells, &max_tests))
         return false;
     if (cells)
         return csg_walk_add(&packer->terms, cells, &rect, &draw);
@@ -204,10 +231,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     draw.tile = true;
     if (index != CSG_WHOLE_LAYER && csg_tile_is_small(object, &rect))
         return csg_tile_queue_add(&packer->queue, &packer->terms, object, &rect, &draw);
-    const double start = csg_clock_ms();
-    const bool ok = csg_tile_object(&packer->terms, object, &rect, &draw);
-    packer->frame->tile_ms += csg_clock_ms() - start;
-    return ok;
+    return add_tiles(packer, object, &rect, &draw, max_tests);
 }
 
 /* Tiles what was left for later. */

@@ -91,7 +91,8 @@ static void cut_panes(const struct csg_tile_area *area, const struct grid *grid,
 {
     for (int i = 0; i < grid->num; i++) {
         const int at[2] = {i % grid->across, i / grid->across};
-        panes[i].area.max_texels = area->max_texels / (size_t)grid->num;
+        panes[i].area = (struct csg_tile_area){.max_texels = area->max_texels / (size_t)grid->num,
+                                               .budget = area->budget};
         for (int j = 0; j < 2; j++) {
             const int lo = (area->lo[j] / grid->size + at[j]) * grid->size;
             panes[i].area.lo[j] = clamp(lo, area->lo[j], area->hi[j]);
@@ -113,15 +114,18 @@ static bool take_parts(struct csg_frame *frame, const struct job *job)
     return true;
 }
 
-static bool tile_panes(struct csg_terms *terms, struct job *job)
+/* Whether they need more tests than they may does not depend on which is tiled first. */
+static bool tile_panes(struct csg_terms *terms, struct job *job,
+                       const struct csg_tile_budget *budget)
 {
     bool ok = take_parts(terms->frame, job);
     if (!ok)
         return false;
     tile_all(job);
+    const bool dear = budget->spent > budget->most;
     for (size_t i = 0; i < job->num; i++) {
         struct csg_frame *part = job->panes[i].frame;
-        ok = ok && job->panes[i].ok && csg_frame_append(terms->frame, part);
+        ok = ok && job->panes[i].ok && (dear || csg_frame_append(terms->frame, part));
         if (part->texels.capacity > 4 * MAX_KEPT_TEXELS)
             csg_frame_finish(part);
     }
@@ -168,21 +172,26 @@ static bool tile_alone(struct csg_terms *terms, const struct csg_object *object,
 }
 
 bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw)
+                     const struct csg_rect *rect, const struct csg_draw *draw, size_t max_tests,
+                     size_t *tests)
 {
-    const struct csg_tile_area area = area_of(rect);
+    struct csg_tile_budget budget = {.most = max_tests};
+    struct csg_tile_area area = area_of(rect);
     const struct grid grid = plan_panes(object, &area);
     if (!csg_surface_views_project(&terms->views, &terms->frame->screen, terms->frame->at,
                                    terms->params->num_threads))
         return false;
+    *tests = 0;
     if (grid.num <= 1)
         return tile_alone(terms, object, &area, draw);
+    area.budget = &budget;
     struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
     job.panes = calloc(job.num, sizeof *job.panes);
     if (!job.panes)
         return false;
     cut_panes(&area, &grid, job.panes);
-    const bool ok = tile_panes(terms, &job);
+    const bool ok = tile_panes(terms, &job, &budget);
+    *tests = budget.spent;
     free(job.panes);
     return ok;
 }

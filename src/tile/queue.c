@@ -56,7 +56,9 @@ static void tile_chunk(void *user, size_t task)
         item->terms.index = index;
         item->terms.known = known;
         number_leaves(item);
-        item->ok = csg_tile_object(&item->terms, item->object, &item->rect, &item->draw);
+        size_t tests;
+        item->ok =
+            csg_tile_object(&item->terms, item->object, &item->rect, &item->draw, SIZE_MAX, &tests);
         item->terms.index = NULL;
         item->terms.known = NULL;
     }

@@ -219,8 +219,11 @@ static bool add_draw(struct csg_tiler *tiler, const struct csg_tile_task *task, 
 {
     struct csg_frame *frame = tiler->terms->frame;
     const struct csg_rect rect = csg_tile_rect(task);
+    const size_t before = frame->solid_tests;
     csg_draw_set_rect(draw, &frame->screen, &rect);
     csg_frame_count(frame, &rect, num_leaves + task->bands.num);
+    if (tiler->budget)
+        atomic_fetch_add(&tiler->budget->spent, frame->solid_tests - before);
     *(tiler->opaque ? &frame->tiles_opaque : &frame->tiles_mixed) += 1;
     return draw->instance.records[0] == draw->instance.records[1] ||
            csg_array_push(&frame->draws, *draw);
@@ -368,12 +371,18 @@ static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object
     return csg_tree_append(tree, nodes, object->begin, object->end);
 }
 
-/* What is left to do; nothing is done any more where memory is out. */
+static bool is_spent(struct csg_tile_budget *budget)
+{
+    return budget && atomic_load(&budget->spent) > budget->most;
+}
+
+/* What is left to do; nothing is done any more where memory is out, or more is spent than may be.
+ */
 static bool run_tasks(struct csg_tiler *tiler, bool ok)
 {
     while (tiler->tasks.num) {
         struct csg_tile_task task = tiler->tasks.data[--tiler->tasks.num];
-        if (ok)
+        if (ok && !is_spent(tiler->budget))
             ok = run(tiler, &task);
         else
             drop_task(tiler, &task);
@@ -389,6 +398,7 @@ bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
                                   .hi = {area->hi[0], area->hi[1]}};
     tiler->terms = terms;
     tiler->draw = draw;
+    tiler->budget = area->budget;
     tiler->fine = area->fine;
     tiler->max_texels = area->max_texels + terms->frame->texels.num / 4;
     bool ok = object_tree(tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);

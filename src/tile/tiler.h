@@ -9,6 +9,8 @@
 #include "tile/range.h"
 #include "tile/scan.h"
 
+struct csg_tile_budget;
+
 /* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
 struct csg_tile_task {
     int lo[2], hi[2]; /* pixels [lo, hi) */
@@ -32,6 +34,7 @@ struct csg_tile_parts {
 struct csg_tiler {
     struct csg_terms *terms;
     const struct csg_draw *draw;
+    struct csg_tile_budget *budget; /* of the area */
     CSG_ARRAY(struct csg_tile_task) tasks;
     CSG_ARRAY(struct csg_tree) spare; /* memory of tasks that are done */
     struct csg_tree_room room;

@@ -4,9 +4,9 @@
  *
  * Draws scenes in cells and by the loop over whole trees: leaf, depth and normal of every pixel
  * must be the same bits. Scenes: a sponge whose holes go through each other, a plate of round
- * holes, boxes through one point, flush holes, balls that overlap, nested cubes in one place, and
- * random trees, on a grid (faces coincide) and off it. Then scenes whose solids are moved about, as
- * their cells keep what an edit does not change.
+ * holes, boxes through one point, flush holes, balls that overlap, nested cubes in one place, a
+ * hole that samples of tiles miss, and random trees, on a grid (faces coincide) and off it. Then
+ * scenes whose solids are moved about, as their cells keep what an edit does not change.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -107,6 +107,18 @@ static char *balls(void)
     return text.data;
 }
 
+/* Balls that overlap at one corner of a cube, beside the places where tiles are sampled. */
+static char *corner(void)
+{
+    struct text text = {0};
+    text_put(&text, "difference() { cube(100, center = true);\n");
+    for (int i = 0; i < 900; i++)
+        text_put(&text, "translate([%d,%d,%d]) sphere(%.17g);\n", 45 + i * 17 % 11,
+                 45 + i * 29 % 13, 45 + i * 7 % 10, 14 + 0.01 * (i * 23 % 400));
+    text_put(&text, "}\n");
+    return text.data;
+}
+
 static char *nest(void)
 {
     struct text text = {0};
@@ -138,8 +150,10 @@ static const struct csgcast_camera cameras[] = {
     {.kind = CSGCAST_CAMERA_VECTOR, .eye = {40, -35, 30}, .center = {0, 4, 1}, .fov = 60},
 };
 
-/* in_cells: whether the scene must be drawn so at least once. */
-static bool check(struct csgcast_renderer *renderer, const char *name, char *text, bool in_cells)
+/* variant: cells, or auto, which may choose them. in_cells: whether the scene must be drawn so at
+ * least once. */
+static bool check(struct csgcast_renderer *renderer, const char *name, char *text,
+                  const char *variant, bool in_cells)
 {
     static struct picture cells, loop;
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
@@ -147,7 +161,7 @@ static bool check(struct csgcast_renderer *renderer, const char *name, char *tex
     for (size_t i = 0; ok && i < sizeof cameras / sizeof *cameras; i++) {
         struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = cameras[i]};
         struct csgcast_stats stats;
-        ok = draw(renderer, scene, &view, "cells", &cells);
+        ok = draw(renderer, scene, &view, variant, &cells);
         csgcast_renderer_get_stats(renderer, &stats);
         const bool is_used = strstr(stats.variants, "cells") != NULL;
         if (ok && in_cells && used && is_used && stats.bytes_uploaded >= stats.texture_bytes) {
@@ -212,12 +226,13 @@ int main(int argc, char **argv)
     struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
     if (!renderer)
         return 1;
-    bool ok = check(renderer, "sponge", sponge(), true);
-    ok &= check(renderer, "plate", plate(), true);
-    ok &= check(renderer, "star", star(), true);
-    ok &= check(renderer, "rods", rods(), true);
-    ok &= check(renderer, "balls", balls(), true);
-    ok &= check(renderer, "nest", nest(), true);
+    bool ok = check(renderer, "sponge", sponge(), "cells", true);
+    ok &= check(renderer, "plate", plate(), "cells", true);
+    ok &= check(renderer, "star", star(), "cells", true);
+    ok &= check(renderer, "rods", rods(), "cells", true);
+    ok &= check(renderer, "balls", balls(), "cells", true);
+    ok &= check(renderer, "nest", nest(), "cells", true);
+    ok &= check(renderer, "corner", corner(), "auto", true);
     ok &= check_edits(renderer, "edited sponge", sponge());
     ok &= check_edits(renderer, "edited plate", plate());
     ok &= check_edits(renderer, "edited rods", rods());
@@ -227,7 +242,7 @@ int main(int argc, char **argv)
         const struct random_params tree = {2 + i % 7, 8 + i * 11 % 60, i % 2 ? 1 : 0, i % 3 == 0};
         char name[32];
         snprintf(name, sizeof name, "random %d", i);
-        ok &= check(renderer, name, random_scene(&random, &tree), false);
+        ok &= check(renderer, name, random_scene(&random, &tree), "cells", false);
     }
     csgcast_renderer_destroy(renderer);
     return !ok;
