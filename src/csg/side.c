@@ -84,9 +84,12 @@ uint8_t csg_side_of_leaf(const struct csgcast_scene *scene, uint32_t leaf, bool 
 {
     const struct csg_carriers *carriers = scene->carriers;
     uint8_t known = CSG_EVERYTHING;
-    const uint8_t by_box = csg_side_of_box(&scene->leaves[leaf].box, box);
+    const struct csg_box *own = &scene->leaves[leaf].box;
+    const uint8_t by_box = csg_side_of_box(own, box);
     if (is_box || by_box == CSG_NOTHING)
         return by_box;
+    if (csg_side_of_box(box, own) == CSG_EVERYTHING) /* all of its surface is in the box */
+        return CSG_VARIES;
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1]; i++) {
         const struct span span = plane_span(scene, carriers->faces[i], box);
         if (span.lo > 0)
