@@ -49,10 +49,13 @@ const struct csg_cli_command csg_command_export = {
     .bit = CSG_COMMAND_EXPORT,
     .summary = "write a scene for POV-Ray",
     .usage = "FILE [-o SCENE.pov] [OPTION...]",
-    .text = "Writes the scene for POV-Ray 3.7: the same exact solids under the same Booleans, no\n"
-            "meshes, with the same camera, colours and light. What POV-Ray draws then is the\n"
-            "picture of `csgcast render` with the same options, to start from with materials and\n"
-            "shadows, or to compare. FILE - is .csg text on standard input.\n",
+    .text =
+        "Writes the scene for POV-Ray 3.7: the same exact solids under the same Booleans, with "
+        "the\n"
+        "same camera, colours and light; only what has many flat faces becomes a mesh of them.\n"
+        "What POV-Ray draws then is the picture of `csgcast render` with the same options, to\n"
+        "start from with materials and shadows, or to compare. FILE - is .csg text on standard\n"
+        "input.\n",
     .tail = "  csgcast export part.scad -o part.pov --imgsize=800,600\n"
             "  povray +W800 +H600 -D +Ipart.pov +Opart.png\n",
     .run = run,

@@ -6,6 +6,7 @@
 #include "csgcast/csgcast.h"
 #include "ending.h"
 #include "messages.h"
+#include "option_table.h"
 #include "options.h"
 #include "scene_options.h"
 #include "values.h"
@@ -64,15 +65,23 @@ static void print_overview(void)
     print_exit_codes(NULL);
 }
 
+static bool takes(const struct csg_cli_command *command, const char *name)
+{
+    const struct csg_option *option = csg_option_table;
+    while (option->name && strcmp(option->name, name) != 0)
+        option++;
+    return option->commands & (unsigned)command->bit;
+}
+
 static void print_command_help(const struct csg_cli_command *command)
 {
     printf("Usage\n  csgcast %s %s\n\n%s\nOptions (--name=value or --name value)\n", command->name,
            command->usage, command->text);
     csg_options_print(stdout, command);
-    if (!command->no_scene) {
+    if (takes(command, "colorscheme"))
         print_names("Colour schemes", csgcast_colorscheme_name);
+    if (takes(command, "variant"))
         print_names("Variants", csgcast_variant_name);
-    }
     printf("\nExamples\n%s", command->tail);
     print_exit_codes(command->exits);
 }

@@ -255,7 +255,8 @@ void csg_options_finish(struct csg_cli_options *options)
 static int print_option_name(FILE *file, const struct csg_option *option)
 {
     const char *metavar = option->metavar;
-    if (option->letter == 'D' || option->letter == 'o')
+    const bool is_letter = option->letter && option->name[1] == '\0';
+    if (is_letter || option->letter == 'D' || option->letter == 'o')
         return fprintf(file, "  -%c %s", option->letter, metavar);
     if (option->letter)
         return fprintf(file, "  -%c, --%s", option->letter, option->name);

@@ -112,3 +112,20 @@ bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_l
         close(fd);
     return done;
 }
+
+bool csg_file_read_regular(const char *path, struct csg_bytes *bytes)
+{
+    struct stat info;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    bool ok = fd >= 0 && fstat(fd, &info) == 0;
+    if (ok && !S_ISREG(info.st_mode)) {
+        errno = EINVAL;
+        ok = false;
+    }
+    ok = ok && csg_file_read_all(fd, bytes);
+    const int reason = errno;
+    if (fd >= 0)
+        close(fd);
+    errno = reason;
+    return ok;
+}

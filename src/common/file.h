@@ -19,6 +19,10 @@ bool csg_bytes_append_text(struct csg_bytes *bytes, const char *text);
 /* Reads a whole file of any size, "-" being standard input. false: a message was given. */
 bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_log *log);
 
+/* The same for what must be a file, not a pipe that may never end, without a message: false, with
+ * errno set. */
+bool csg_file_read_regular(const char *path, struct csg_bytes *bytes);
+
 /* Reads an open file to its end. false, with errno set, on failure. */
 bool csg_file_read_all(int fd, struct csg_bytes *bytes);
 

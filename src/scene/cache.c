@@ -210,7 +210,7 @@ static bool trim(const struct csg_cache *cache, uint64_t limit, struct csgcast_c
     if (!stream)
         return false;
     const int folder = dirfd(stream);
-    if (list_entries(folder, stream, &entries))
+    if (list_entries(folder, stream, &entries) && entries.list.num)
         qsort(entries.list.data, entries.list.num, sizeof *entries.list.data, compare_use);
     size_t num = entries.list.num;
     for (size_t i = 0; i < entries.list.num && entries.size > limit; i++) {

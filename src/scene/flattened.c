@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "scene/digits.h"
 #include "scene/openscad.h"
@@ -80,7 +81,12 @@ bool csg_flattened_read(const struct csg_flattened *flattened, size_t frame,
                         const struct csg_log *log, struct csg_bytes *text)
 {
     char *path = path_of(flattened, frame);
-    const bool read = path ? csg_file_read(path, text, log) : csg_log_memory(log);
+    const bool is_there = path && access(path, F_OK) == 0;
+    if (path && !is_there)
+        csg_log_error(
+            log, CSGCAST_MESSAGE_OPENSCAD,
+            "openscad has ended without an error and has written nothing; is it OpenSCAD?");
+    const bool read = path ? is_there && csg_file_read(path, text, log) : csg_log_memory(log);
     free(path);
     return read && check_whole(flattened, log, text);
 }

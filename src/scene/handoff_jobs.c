@@ -48,8 +48,7 @@ static bool add_files(struct csg_bytes *key, const struct csg_handoff *handoff,
         struct csg_bytes bytes = {0};
         const int length = snprintf(path, sizeof path, "%s%s%s", name[0] == '/' ? "" : directory,
                                     name[0] == '/' ? "" : "/", name);
-        const bool is_read =
-            length > 0 && length < PATH_MAX && csg_file_read(path, &bytes, &csg_log_silent);
+        const bool is_read = length > 0 && length < PATH_MAX && csg_file_read_regular(path, &bytes);
         snprintf(line, sizeof line, " %d %zu %016llx\n", is_read, bytes.num,
                  (unsigned long long)csg_hash(CSG_HASH_START, bytes.data, bytes.num));
         free(bytes.data);

@@ -69,9 +69,7 @@ static bool fail_all(const struct csg_handoff_run *run, int error)
     for (size_t i = 0; i < handoff->nodes.num; i++) {
         if (handoff->nodes.data[i].is_evaluated)
             continue;
-        fail(run, handoff->nodes.data[i].node, what,
-             "; install OpenSCAD (on Debian and Ubuntu: apt-get install openscad) or set the "
-             "environment variable OPENSCAD to the program");
+        fail(run, handoff->nodes.data[i].node, what, csg_openscad_remedy(error));
         handoff->nodes.data[i].is_evaluated = true;
         handoff->nodes.data[i].result = handoff->results.num;
     }
@@ -340,7 +338,9 @@ static bool evaluate(struct csg_handoff_run *run)
     run->begun = run->told = csg_clock_ms() / 1000;
     const bool has_folder = csg_folder_make(&run->folder);
     if (!has_folder)
-        csg_log_error(&run->report->log, CSGCAST_MESSAGE_FILE, "cannot make a temporary folder: %s",
+        csg_log_error(&run->report->log, CSGCAST_MESSAGE_FILE,
+                      "the environment variable TMPDIR has to name a place for temporary files, "
+                      "which is /tmp otherwise: %s",
                       strerror(errno));
     ok = ok && (!has_folder || work(run, &slots, max));
     for (size_t i = 0; i < slots.num; i++)

@@ -6,12 +6,9 @@
 
 #include <dlfcn.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "common/file.h"
 #include "common/module.h"
@@ -67,24 +64,6 @@ static char *path_of(const struct csg_walk *walk, const char *name)
     return path;
 }
 
-/* errno has the reason where it cannot be read. */
-static bool read_regular(const char *path, struct csg_bytes *bytes)
-{
-    struct stat info;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    bool ok = fd >= 0 && fstat(fd, &info) == 0;
-    if (ok && !S_ISREG(info.st_mode)) {
-        errno = EINVAL;
-        ok = false;
-    }
-    ok = ok && csg_file_read_all(fd, bytes);
-    const int reason = errno;
-    if (fd >= 0)
-        close(fd);
-    errno = reason;
-    return ok;
-}
-
 bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                      const char **name, struct csg_bytes *bytes)
 {
@@ -93,7 +72,7 @@ bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args
     if (!named || !*named)
         return true;
     char *path = path_of(walk, named);
-    if (path && read_regular(path, bytes))
+    if (path && csg_file_read_regular(path, bytes))
         *name = named;
     const bool is_out_of_memory = !path || (!*name && errno == ENOMEM);
     if (!is_out_of_memory && !*name)

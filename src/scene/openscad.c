@@ -34,13 +34,22 @@ static bool fail(const struct run *run, const char *what, int error)
     return false;
 }
 
+const char *csg_openscad_remedy(int error)
+{
+    const bool is_missing =
+        error == ENOENT || error == ENOTDIR || error == EACCES || error == ENOEXEC;
+    return is_missing
+               ? "; install OpenSCAD (on Debian and Ubuntu: apt-get install openscad) or set "
+                 "the environment variable OPENSCAD to the program"
+               : "";
+}
+
 static bool fail_to_start(const struct run *run, int error)
 {
+    const char *remedy = csg_openscad_remedy(error);
     csg_log_error(run->log, CSGCAST_MESSAGE_OPENSCAD,
-                  "cannot flatten %s: '%s' does not run: %s; install OpenSCAD (on Debian and "
-                  "Ubuntu: apt-get install openscad), or set the environment variable OPENSCAD to "
-                  "the program, or give a .csg file",
-                  run->path, run->program, strerror(error));
+                  "cannot flatten %s: '%s' does not run: %s%s%s", run->path, run->program,
+                  strerror(error), remedy, remedy[0] ? ", or give a .csg file" : "");
     return false;
 }
 
@@ -48,7 +57,10 @@ static bool make_folder(struct run *run)
 {
     struct csg_folder *folder = &run->flattened->folder;
     if (!csg_folder_make(folder))
-        return fail(run, "a temporary folder", errno);
+        return fail(run,
+                    "the environment variable TMPDIR has to name a place for temporary files, "
+                    "which is /tmp otherwise",
+                    errno);
     run->output = csg_folder_file(folder, CSG_DIGITS_STILL);
     return run->output || csg_log_memory(run->log);
 }

@@ -40,6 +40,9 @@ struct csgcast_camera csg_flattened_camera(const struct csg_flattened *flattened
 /* Removes the texts. */
 void csg_flattened_finish(struct csg_flattened *flattened);
 
+/* What helps where the program does not run; "" where installing it does not. */
+const char *csg_openscad_remedy(int error);
+
 /*
  * Passes on the lines that openscad printed, prefix in front of each; those that only say how far
  * the work is just where it failed. Returns whether one of them means that the result is

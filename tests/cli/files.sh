@@ -82,6 +82,13 @@ check "x.png is a PNG" is_png x.png
 expect 1 "openscad is missing" render model.scad "${small[@]}" -o y.png --openscad=/nowhere/openscad
 says "openscad"
 OPENSCAD=/nowhere/else expect 1 "the same by the environment" render model.scad -o y.png
+TMPDIR=/nowhere expect 1 "no temporary folder" render model.scad "${small[@]}" -o y.png
+says "environment variable TMPDIR"
+printf '#!/bin/sh\nexit 0\n' >idle
+chmod +x idle
+expect 1 "an openscad that does nothing" render model.scad "${small[@]}" -o y.png --openscad="$work/idle"
+says "has written nothing"
+rm idle
 expect 1 "openscad fails" render model.scad "${small[@]}" -o y.png --openscad=/bin/false
 rm x.png
 

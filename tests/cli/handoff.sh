@@ -72,6 +72,12 @@ says "a.csg:4:3: import_dxf: only openscad can evaluate it, and '/nowhere/opensc
 OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported
 says "warning: a.csg:4:3"
 
+# What is imported may be a pipe that nobody writes to.
+mkfifo pipe
+echo 'import("pipe");' >pipe.csg
+expect 0 "a pipe is not waited for" info pipe.csg --no-gl --no-cache
+rm pipe pipe.csg
+
 # A stand-in that fails, one that dies, one that writes nonsense, two for whom the disk is full.
 printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho "ERROR: no such thing"; exit 1\n' >fails
 printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\nkill -9 $$\n' >dies

@@ -21,6 +21,9 @@ prints "Cornfield"
 prints "Exit codes"
 expect 0 "help as an option" render --help
 prints "Examples"
+prints "  -P SET "
+expect 0 "help of export" help export
+check "no variants where none can be chosen" test "$(grep -c '^Variants' out)" = 0
 expect 0 "help of info" info -h
 prints "--json"
 is_silent

@@ -31,7 +31,7 @@ static const struct stand_in stand_ins[] = {
     {"fails", "echo 'ERROR: Parser error: syntax error' >&2; echo \"Can't parse file\" >&2; exit 1",
      false, "error: openscad: ERROR: Parser error\n(exit status 1)"},
     {"dies", "kill -9 $$", false, "was killed by signal 9"},
-    {"writes nothing", "exit 0", false, "error: cannot read"},
+    {"writes nothing", "exit 0", false, "has written nothing"},
     {"writes nonsense", "echo 'cube(' > \"$2\"", false, "case.scad (flattened by openscad):2:1: "},
     {"is missing", NULL, false, "does not run\ninstall OpenSCAD\nOPENSCAD"},
     {"gets the arguments",
