@@ -11,7 +11,7 @@
 #include "csg/distribute.h"
 #include "csg/follower.h"
 #include "csg/framing.h"
-#include "csg/kin.h"
+#include "csg/carrier_kin.h"
 #include "csg/operand.h"
 #include "csg/sharpness.h"
 
@@ -180,8 +180,8 @@ static struct csg_box renew_totals(struct follow *follow)
 
 static bool find_kin(const struct follow *follow, const struct csg_carriers *carriers, bool *found)
 {
-    return csg_find_kin(follow->scene, carriers, follow->before->changed, follow->objects.data,
-                        follow->boxes.num, found);
+    return csg_carrier_find_kin(follow->scene, carriers, follow->before->changed,
+                                follow->objects.data, follow->boxes.num, found);
 }
 
 /* The scene gets its new carriers, and old what it had. */

@@ -38,6 +38,7 @@ int main(int argc, char **argv)
     }
     check_upload(&bench);
     check_batch(&bench);
+    check_bar(&bench);
     check_cases(&bench);
     csgcast_renderer_destroy(bench.edited);
     csgcast_renderer_destroy(bench.fresh);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "csg/kin.h"
+#include "csg/carrier_kin.h"
 
 #include <stdlib.h>
 
@@ -46,8 +46,6 @@ static bool has_leaf_kin(const struct kin *kin, uint32_t leaf)
     const struct csg_carriers *carriers = kin->carriers;
     if (!carriers->kept->wanted[leaf])
         return false;
-    if (kin->scene->leaves[leaf].shape.surface)
-        return true; /* as good as always */
     bool found = is_shared(kin, CSG_QUADRIC, carriers->quadric_faces[leaf].carrier);
     for (uint32_t i = carriers->face_begin[leaf]; i < carriers->face_begin[leaf + 1] && !found; i++)
         found = is_shared(kin, CSG_PLANE, carriers->faces[i].carrier);
@@ -66,8 +64,8 @@ static bool has_object_kin(struct kin *kin, const struct csg_object *object)
     return found;
 }
 
-bool csg_find_kin(const struct csgcast_scene *scene, const struct csg_carriers *carriers,
-                  const uint32_t *changed, const uint32_t *objects, size_t num, bool *found)
+bool csg_carrier_find_kin(const struct csgcast_scene *scene, const struct csg_carriers *carriers,
+                          const uint32_t *changed, const uint32_t *objects, size_t num, bool *found)
 {
     *found = false;
     if (carriers->num_shared == 0)
