@@ -4,11 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+float *csg_frame_reserve_texels(struct csg_frame *frame, size_t num)
+{
+    return csg_array_reserve(&frame->texels, 4 * num) ? frame->texels.data + frame->texels.num
+                                                      : NULL;
+}
+
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num)
 {
-    if (!csg_array_reserve(&frame->texels, 4 * num))
+    float *texels = csg_frame_reserve_texels(frame, num);
+    if (!texels)
         return NULL;
-    float *texels = frame->texels.data + frame->texels.num;
     memset(texels, 0, 4 * num * sizeof *texels);
     frame->texels.num += 4 * num;
     return texels;

@@ -107,7 +107,10 @@ struct csg_frame_params {
 void csg_draw_set_rect(struct csg_draw *draw, const struct csg_screen *screen,
                        const struct csg_rect *rect);
 
-/* Room for num texels at the end of the frame's, zeroed; NULL: out of memory. */
+/* Room for num texels behind the frame's; NULL: out of memory. */
+float *csg_frame_reserve_texels(struct csg_frame *frame, size_t num);
+
+/* The same at the end of the frame's, zeroed. */
 float *csg_frame_add_texels(struct csg_frame *frame, size_t num);
 
 /* Counts the pixels of a rectangle in which a draw's program has this many solids. */

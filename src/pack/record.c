@@ -42,7 +42,7 @@ bool csg_record_add(struct csg_terms *terms, const struct csg_step *step,
     const bool quadric = leaf->flags & CSG_RECORD_QUADRIC && (!filter || filter->quadric);
     const size_t width = terms->precise ? 2 : 1;
     struct csg_frame *frame = terms->frame;
-    float *header = csg_frame_add_texels(frame, 1 + width * (num_planes + CSG_QUADRIC_TEXELS));
+    float *header = csg_frame_reserve_texels(frame, 1 + width * (num_planes + CSG_QUADRIC_TEXELS));
     if (!header)
         return false;
     float *end = header + 4;

@@ -41,7 +41,9 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
 {
     struct csg_chain_need *need = &finder->need;
     const int flags = (int)head[2];
-    need->planes = (uint8_t)fminf(fmaxf(need->planes, fmaxf(head[0], head[1])), UINT8_MAX);
+    const float most = head[0] > head[1] ? head[0] : head[1];
+    if (most > need->planes)
+        need->planes = most < UINT8_MAX ? (uint8_t)most : UINT8_MAX;
     need->clauses |= need->slots == 0 && flags >= CSG_RECORD_CLAUSE;
     if (finder->broken || (need->clauses && flags & CSG_RECORD_POP))
         return;

@@ -97,13 +97,19 @@ bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree)
     return true;
 }
 
+/* Whether the part at hand does, of the tree that was looked at: the leaf at node i. */
+static bool is_missed(const struct csg_tiler *tiler, uint32_t i)
+{
+    return tiler->parts.missed.data[i] >> tiler->parts.at & 1;
+}
+
 /* Of the leaf at node i of the tree that was looked at. */
 static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler, uint32_t leaf, uint32_t i)
 {
     const struct csg_tile_parts *parts = &tiler->parts;
     const struct csg_leaf_ranges *ranges = &parts->ranges.data[i];
     const size_t num_leaves = tiler->terms->scene->num_leaves;
-    if (parts->missed.data[i] >> parts->at & 1)
+    if (is_missed(tiler, i))
         return csg_leaf_nowhere;
     if (leaf >= num_leaves)
         return tiler->stacks.data[leaf - num_leaves];
@@ -326,6 +332,11 @@ static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree, struct csg
     *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
+        if (is_missed(tiler, i)) {
+            if (!node->negated)
+                return false;
+            continue;
+        }
         const struct csg_leaf_range *leaf = note_leaf(tiler, node->leaf, i);
         if (!node->negated) {
             common->lo = csg_larger(common->lo, leaf->entry.lo);

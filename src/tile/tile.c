@@ -269,9 +269,10 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
     if (tiler->terms->views.num > 0 && !is_within(task, SURFACE_TILE_SIZE))
         return true;
-    const bool many = task->bands.num > SMALL_BANDS || (!stubborn && num_leaves > SMALL_LEAVES) ||
-                      !is_within(task, planes_tile_size(tiler->terms->scene, &task->tree));
-    return !smallest && many && tiler->terms->frame->texels.num / 4 < tiler->max_texels;
+    if (smallest || tiler->terms->frame->texels.num / 4 >= tiler->max_texels)
+        return false;
+    return task->bands.num > SMALL_BANDS || (!stubborn && num_leaves > SMALL_LEAVES) ||
+           !is_within(task, planes_tile_size(tiler->terms->scene, &task->tree));
 }
 
 /* Draws a tile; *drawn is false where it is to be cut all the same. */
