@@ -116,7 +116,8 @@ static bool put_cell(struct csg_cell_builder *builder, const struct csg_work *wo
     }
     branch->first = (uint32_t)(builder->records.num / 4);
     builder->program.num = 0;
-    if (tree->num && !csg_program_append(&builder->program, builder->scene, tree, 0))
+    if (tree->num &&
+        !csg_program_append(&builder->program_room, &builder->program, builder->scene, tree, 0))
         return false;
     for (size_t i = 0; i < builder->program.num; i++) {
         const struct csg_step *step = &builder->program.data[i];
@@ -252,6 +253,7 @@ void csg_cell_builder_finish(struct csg_cell_builder *builder)
     free(builder->bunches.texels.data);
     free(builder->splitter.leaves.data);
     free(builder->program.data);
+    csg_program_room_finish(&builder->program_room);
     csg_tree_room_finish(&builder->room);
     free(builder->known);
 }

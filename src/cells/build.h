@@ -42,6 +42,7 @@ struct csg_cell_builder {
     CSG_ARRAY(struct csg_work) work; /* a heap, the costliest first */
     struct csg_splitter splitter;
     struct csg_program program;
+    struct csg_program_room program_room;
     struct csg_tree_room room; /* its tree: what is left in the box at hand */
     uint8_t *known;
     bool nested; /* see csg_cells */

@@ -28,20 +28,27 @@ static void list_lefts(struct csg_plan *plan, const struct csgcast_scene *scene,
             plan->lefts[plan->num_lefts++] = nodes[i].leaf;
 }
 
+static bool add_objects(struct csg_plan *plan, const struct csgcast_scene *scene)
+{
+    const struct csg_objects *objects = scene->objects;
+    struct csg_program_room room = {0};
+    bool ok = true;
+    for (size_t i = 0; i < objects->num && ok; i++) {
+        const struct csg_object *object = &objects->data[i];
+        plan->begin[i] = (uint32_t)plan->program.num;
+        ok = csg_program_append(&room, &plan->program, scene, &scene->trees[object->layer],
+                                object->begin);
+    }
+    plan->begin[objects->num] = (uint32_t)plan->program.num;
+    csg_program_room_finish(&room);
+    return ok;
+}
+
 static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
 {
     const struct csg_objects *objects = scene->objects;
     plan->begin = malloc((objects->num + 1) * sizeof *plan->begin);
-    if (!plan->begin)
-        return false;
-    for (size_t i = 0; i < objects->num; i++) {
-        const struct csg_object *object = &objects->data[i];
-        plan->begin[i] = (uint32_t)plan->program.num;
-        if (!csg_program_append(&plan->program, scene, &scene->trees[object->layer], object->begin))
-            return false;
-    }
-    plan->begin[objects->num] = (uint32_t)plan->program.num;
-    if (!csg_plan_count_structures(plan, scene))
+    if (!plan->begin || !add_objects(plan, scene) || !csg_plan_count_structures(plan, scene))
         return false;
     for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++) {
         plan->has_surface |= scene->leaves[i].shape.surface != NULL;

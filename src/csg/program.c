@@ -3,27 +3,25 @@
 
 #include <stdlib.h>
 
-/* Work that is still to do: run a subtree, or combine with the stack. */
-struct task {
-    uint32_t node;
-    uint32_t flags; /* of the subtree's first step, or CSG_RECORD_POP */
-};
-
 struct compiler {
     const struct csgcast_scene *scene;
     const struct csg_tree *tree;
     uint32_t begin;
-    uint8_t *needs; /* stack entries that a subtree needs, from begin on */
-    CSG_ARRAY(struct task) tasks;
+    struct csg_program_room *room; /* needs from begin on */
     struct csg_program *program;
 };
+
+static uint8_t need_of(const struct compiler *compiler, uint32_t node)
+{
+    return compiler->room->needs.data[node - compiler->begin];
+}
 
 static uint32_t deepest_child(const struct compiler *compiler, uint32_t node)
 {
     const struct csg_node *nodes = compiler->tree->data;
     uint32_t deepest = node + 1;
     for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end)
-        if (compiler->needs[child - compiler->begin] > compiler->needs[deepest - compiler->begin])
+        if (need_of(compiler, child) > need_of(compiler, deepest))
             deepest = child;
     return deepest;
 }
@@ -34,23 +32,23 @@ static uint8_t stack_need(const struct compiler *compiler, uint32_t node)
     if (nodes[node].op == CSG_LEAF || nodes[node].end == node + 1)
         return 0;
     const uint32_t first = deepest_child(compiler, node);
-    uint8_t need = compiler->needs[first - compiler->begin];
+    uint8_t need = need_of(compiler, first);
     for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end) {
         if (child == first || nodes[child].op == CSG_LEAF)
             continue;
-        const uint8_t own = (uint8_t)(compiler->needs[child - compiler->begin] + 1);
+        const uint8_t own = (uint8_t)(need_of(compiler, child) + 1);
         need = own > need ? own : need;
     }
     return need;
 }
 
-static bool push_task(struct compiler *compiler, uint32_t node, uint32_t flags)
+static bool push_task(const struct compiler *compiler, uint32_t node, uint32_t flags)
 {
-    return csg_array_push(&compiler->tasks, ((struct task){node, flags}));
+    return csg_array_push(&compiler->room->tasks, ((struct csg_program_task){node, flags}));
 }
 
 /* Tasks run last in, first out: the operand that comes first is pushed last. */
-static bool expand(struct compiler *compiler, struct task task)
+static bool expand(const struct compiler *compiler, struct csg_program_task task)
 {
     const struct csg_node *nodes = compiler->tree->data;
     const uint32_t op = nodes[task.node].op == CSG_AND ? CSG_RECORD_AND : 0;
@@ -79,19 +77,20 @@ uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node
            (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
 }
 
-static bool emit_leaf(struct compiler *compiler, struct task task)
+static bool emit_leaf(const struct compiler *compiler, struct csg_program_task task)
 {
     const struct csg_node *node = &compiler->tree->data[task.node];
     const uint32_t flags = task.flags | csg_node_flags(compiler->scene, node);
     return csg_array_push(compiler->program, ((struct csg_step){node->leaf, flags}));
 }
 
-static bool run(struct compiler *compiler)
+static bool run(const struct compiler *compiler)
 {
     if (!push_task(compiler, compiler->begin, CSG_RECORD_START))
         return false;
-    while (compiler->tasks.num) {
-        const struct task task = compiler->tasks.data[--compiler->tasks.num];
+    struct csg_program_room *room = compiler->room;
+    while (room->tasks.num) {
+        const struct csg_program_task task = room->tasks.data[--room->tasks.num];
         const struct csg_node *node = &compiler->tree->data[task.node];
         bool ok;
         if (task.flags & CSG_RECORD_POP)
@@ -106,8 +105,9 @@ static bool run(struct compiler *compiler)
     return true;
 }
 
-bool csg_program_append(struct csg_program *program, const struct csgcast_scene *scene,
-                        const struct csg_tree *tree, uint32_t begin)
+bool csg_program_append(struct csg_program_room *room, struct csg_program *program,
+                        const struct csgcast_scene *scene, const struct csg_tree *tree,
+                        uint32_t begin)
 {
     const uint32_t end = tree->data[begin].end;
     if (tree->data[begin].op == CSG_LEAF) {
@@ -117,14 +117,17 @@ bool csg_program_append(struct csg_program *program, const struct csgcast_scene 
     /* All space has no surface to see, hence no steps. */
     if (end == begin + 1)
         return true;
-    struct compiler compiler = {.scene = scene, .tree = tree, .begin = begin, .program = program};
-    compiler.needs = calloc(end - begin, 1);
-    if (!compiler.needs)
+    const struct compiler compiler = {scene, tree, begin, room, program};
+    room->tasks.num = room->needs.num = 0;
+    if (!csg_array_reserve(&room->needs, end - begin))
         return false;
     for (uint32_t node = end; node-- > begin;)
-        compiler.needs[node - begin] = stack_need(&compiler, node);
-    const bool ok = run(&compiler);
-    free(compiler.tasks.data);
-    free(compiler.needs);
-    return ok;
+        room->needs.data[node - begin] = stack_need(&compiler, node);
+    return run(&compiler);
+}
+
+void csg_program_room_finish(struct csg_program_room *room)
+{
+    free(room->needs.data);
+    free(room->tasks.data);
 }

@@ -24,9 +24,21 @@ struct csg_program {
 /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC and _GAP of a leaf's node. */
 uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node);
 
+/* What it takes to append to one: zeroed before the first time, kept for the next. */
+struct csg_program_room {
+    CSG_ARRAY(uint8_t) needs; /* stack entries that a subtree needs, by node */
+    CSG_ARRAY(struct csg_program_task {
+        uint32_t node;
+        uint32_t flags; /* of the subtree's first step, or CSG_RECORD_POP */
+    })
+    tasks; /* still to do: run a subtree, or combine with the stack */
+};
+
 /* Appends the steps of the subtree at nodes [begin, end) of tree. false: out of memory. */
-bool csg_program_append(struct csg_program *program, const struct csgcast_scene *scene,
-                        const struct csg_tree *tree, uint32_t begin);
+bool csg_program_append(struct csg_program_room *room, struct csg_program *program,
+                        const struct csgcast_scene *scene, const struct csg_tree *tree,
+                        uint32_t begin);
+void csg_program_room_finish(struct csg_program_room *room);
 
 /* Members of crowds (crowd/crowd.h) have at most so many planes, and are no surfaces. */
 enum { CSG_PLAN_MAX_PLANES = 6, CSG_PLAN_MAX_LEFTS = 2 * (CSG_PLAN_MAX_PLANES + 1) };

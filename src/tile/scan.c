@@ -10,6 +10,7 @@
 void csg_scan_finish(struct csg_scan *scan)
 {
     free(scan->program.data);
+    csg_program_room_finish(&scan->room);
     free(scan->bounds.data);
     free(scan->starts.data);
     free(scan->operands.data);
@@ -104,7 +105,7 @@ static bool add_operand(struct csg_scan *scan, const struct csgcast_scene *scene
                         const struct csg_tree *tree, uint32_t node)
 {
     const size_t first = scan->program.num;
-    if (!csg_program_append(&scan->program, scene, tree, node))
+    if (!csg_program_append(&scan->room, &scan->program, scene, tree, node))
         return false;
     if (first == 0)
         return true;
@@ -142,14 +143,14 @@ bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
     bool only_leaves;
     scan->program.num = scan->bounds.num = 0;
     if (!bounded || tree->data[0].op != CSG_AND)
-        return csg_program_append(&scan->program, terms->scene, tree, 0);
+        return csg_program_append(&scan->room, &scan->program, terms->scene, tree, 0);
     if (!list_operands(scan, tree, &only_leaves))
         return false;
     if (scan->operands.num >= MIN_OPERANDS)
         return sort_by_start(scan, terms, tree, ranges) &&
                add_operands(scan, terms->scene, tree, true);
     if (!only_leaves)
-        return csg_program_append(&scan->program, terms->scene, tree, 0);
+        return csg_program_append(&scan->room, &scan->program, terms->scene, tree, 0);
     sort_few(scan);
     return add_operands(scan, terms->scene, tree, false);
 }

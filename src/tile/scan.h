@@ -14,6 +14,7 @@
 /* Zero-initialise it. */
 struct csg_scan {
     struct csg_program program;
+    struct csg_program_room room;
     CSG_ARRAY(double) bounds; /* per step; of a BOUND: where what follows begins */
     CSG_ARRAY(double) starts; /* per node: no ray is outside of its set before */
     CSG_ARRAY(struct csg_scan_operand {
