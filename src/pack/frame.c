@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of all parts of a frame, 32 MB: those that take more than their share begin without memory. */
+#define MAX_KEPT_TEXELS ((size_t)2 << 20)
+
 float *csg_frame_reserve_texels(struct csg_frame *frame, size_t num)
 {
     return csg_array_reserve(&frame->texels, 4 * num) ? frame->texels.data + frame->texels.num
@@ -78,6 +81,29 @@ bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part)
     frame->tiles_opaque += part->tiles_opaque;
     frame->tiles_mixed += part->tiles_mixed;
     return true;
+}
+
+bool csg_frame_start_parts(struct csg_frame *frame, size_t num)
+{
+    const size_t before = frame->parts.num;
+    if (num > before && !csg_array_reserve(&frame->parts, num - before))
+        return false;
+    for (; frame->parts.num < num; frame->parts.num++)
+        frame->parts.data[frame->parts.num] = (struct csg_frame){0};
+    for (size_t i = 0; i < num; i++) {
+        struct csg_frame *part = &frame->parts.data[i];
+        csg_frame_clear(part);
+        part->screen = frame->screen;
+        part->at = frame->at;
+    }
+    return true;
+}
+
+void csg_frame_end_part(struct csg_frame *frame, size_t i)
+{
+    struct csg_frame *part = &frame->parts.data[i];
+    if (part->texels.capacity > 4 * MAX_KEPT_TEXELS / frame->parts.num)
+        csg_frame_finish(part);
 }
 
 void csg_frame_finish(struct csg_frame *frame)

@@ -123,6 +123,12 @@ void csg_frame_clear(struct csg_frame *frame);
  * texels only but for attribute blocks. false: out of memory. */
 bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part);
 
+/* Makes the first num of the frame's parts empty frames of the same screen. false: out of memory. */
+bool csg_frame_start_parts(struct csg_frame *frame, size_t num);
+
+/* Where that is not much, the memory of a part that is done with stays for the next frame. */
+void csg_frame_end_part(struct csg_frame *frame, size_t part);
+
 /* Refills frame (zeroed before the first use). false: out of memory. */
 bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
                     const struct csg_frame_params *params);

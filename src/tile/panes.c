@@ -22,9 +22,6 @@
 #define MIN_PANE_SIZE (4 * CSG_TILE_SIZE)
 #define MAX_PANES 32
 
-/* Of a pane that takes more texels, 1 MB, the next frame's begins without memory. */
-#define MAX_KEPT_TEXELS ((size_t)1 << 16)
-
 struct grid {
     int size; /* of a pane; their edges are multiples of it */
     int across, num;
@@ -49,9 +46,6 @@ struct job {
 static void tile_pane(const struct job *job, struct pane *pane, struct csg_tiler *tiler)
 {
     struct csg_terms terms = *job->terms;
-    csg_frame_clear(pane->frame);
-    pane->frame->screen = job->terms->frame->screen;
-    pane->frame->at = job->terms->frame->at;
     terms.frame = pane->frame;
     pane->ok = csg_array_reserve(&tiler->known, csg_stacks_room(terms.scene->num_leaves));
     terms.known = tiler->known.data;
@@ -101,33 +95,21 @@ static void cut_panes(const struct csg_tile_area *area, const struct grid *grid,
     }
 }
 
-/* Frames for the panes. */
-static bool take_parts(struct csg_frame *frame, const struct job *job)
-{
-    const size_t num = frame->parts.num;
-    if (num < job->num && !csg_array_reserve(&frame->parts, job->num - num))
-        return false;
-    for (; frame->parts.num < job->num; frame->parts.num++)
-        frame->parts.data[frame->parts.num] = (struct csg_frame){0};
-    for (size_t i = 0; i < job->num; i++)
-        job->panes[i].frame = &frame->parts.data[i];
-    return true;
-}
-
 /* Whether they need more tests than they may does not depend on which is tiled first. */
 static bool tile_panes(struct csg_terms *terms, struct job *job,
                        const struct csg_tile_budget *budget)
 {
-    bool ok = take_parts(terms->frame, job);
+    bool ok = csg_frame_start_parts(terms->frame, job->num);
     if (!ok)
         return false;
+    for (size_t i = 0; i < job->num; i++)
+        job->panes[i].frame = &terms->frame->parts.data[i];
     tile_all(job);
     const bool dear = budget->spent > budget->most;
     for (size_t i = 0; i < job->num; i++) {
-        struct csg_frame *part = job->panes[i].frame;
-        ok = ok && job->panes[i].ok && (dear || csg_frame_append(terms->frame, part));
-        if (part->texels.capacity > 4 * MAX_KEPT_TEXELS)
-            csg_frame_finish(part);
+        const struct pane *pane = &job->panes[i];
+        ok = ok && pane->ok && (dear || csg_frame_append(terms->frame, pane->frame));
+        csg_frame_end_part(terms->frame, i);
     }
     return ok;
 }
@@ -162,11 +144,25 @@ bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *r
     return plan_panes(object, &area).num <= 1;
 }
 
+static bool project_views(struct csg_terms *terms)
+{
+    return csg_surface_views_project(&terms->views, &terms->frame->screen, terms->frame->at,
+                                     terms->params->num_threads);
+}
+
+bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms,
+                    const struct csg_object *object, const struct csg_rect *rect,
+                    const struct csg_draw *draw)
+{
+    const struct csg_tile_area area = area_of(rect);
+    return project_views(terms) && csg_tile_area(tiler, terms, object, &area, draw);
+}
+
 static bool tile_alone(struct csg_terms *terms, const struct csg_object *object,
-                       const struct csg_tile_area *area, const struct csg_draw *draw)
+                       const struct csg_rect *rect, const struct csg_draw *draw)
 {
     struct csg_tiler tiler = {0};
-    const bool ok = csg_tile_area(&tiler, terms, object, area, draw);
+    const bool ok = csg_tile_small(&tiler, terms, object, rect, draw);
     csg_tiler_finish(&tiler);
     return ok;
 }
@@ -178,12 +174,11 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
     struct csg_tile_budget budget = {.most = max_tests};
     struct csg_tile_area area = area_of(rect);
     const struct grid grid = plan_panes(object, &area);
-    if (!csg_surface_views_project(&terms->views, &terms->frame->screen, terms->frame->at,
-                                   terms->params->num_threads))
-        return false;
     *tests = 0;
     if (grid.num <= 1)
-        return tile_alone(terms, object, &area, draw);
+        return tile_alone(terms, object, rect, draw);
+    if (!project_views(terms))
+        return false;
     area.budget = &budget;
     struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
     job.panes = calloc(job.num, sizeof *job.panes);
@@ -217,8 +212,11 @@ static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row,
 {
     struct csg_frame frames[SAMPLES] = {0};
     bool ok = true;
-    for (size_t i = 0; i < SAMPLES; i++)
+    for (size_t i = 0; i < SAMPLES; i++) {
+        frames[i].screen = job->terms->frame->screen;
+        frames[i].at = job->terms->frame->at;
         job->panes[i] = (struct pane){.frame = &frames[i], .area = sample_area(rect, i, row)};
+    }
     tile_all(job);
     for (size_t i = 0; i < SAMPLES; i++) {
         ok &= job->panes[i].ok;

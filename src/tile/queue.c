@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "common/parallel.h"
-
-/* Objects a task: they share the arrays that have an entry for each leaf of the scene. */
-enum { CHUNK = 4 };
+#include "tile/tiler.h"
 
 /* More do not wait: their terms take memory. */
 enum { MAX_ITEMS = 512 };
@@ -25,8 +23,6 @@ bool csg_tile_queue_add(struct csg_tile_queue *queue, struct csg_terms *terms,
     *item =
         (struct csg_queued){.object = object, .rect = *rect, .draw = *draw, .at = frame->draws.num};
     csg_terms_take(&item->terms, terms);
-    item->part.screen = frame->screen;
-    item->part.at = frame->at;
     return true;
 }
 
@@ -42,28 +38,40 @@ static void number_leaves(const struct csg_queued *item)
         item->terms.index[item->terms.scene->num_leaves + i] = num++;
 }
 
-static void tile_chunk(void *user, size_t task)
+/* What a core does all its objects with. */
+struct worker {
+    struct csg_tiler tiler;
+    uint32_t *index;
+    uint8_t *known;
+};
+
+static void tile_item(struct csg_queued *item, struct csg_frame *part, struct worker *worker)
+{
+    item->terms.frame = part;
+    item->terms.index = worker->index;
+    item->terms.known = worker->known;
+    number_leaves(item);
+    item->ok = csg_tile_small(&worker->tiler, &item->terms, item->object, &item->rect, &item->draw);
+    item->terms.index = NULL;
+    item->terms.known = NULL;
+}
+
+/* All that are left, as many as other cores do not come to. */
+static void tile_left(void *user, size_t task)
 {
     struct csg_tile_queue *queue = user;
-    const size_t begin = CHUNK * task, num = queue->items.num;
-    const size_t end = begin + CHUNK < num ? begin + CHUNK : num;
-    const size_t room = csg_stacks_room(queue->items.data[begin].terms.scene->num_leaves);
-    uint32_t *index = malloc(room * sizeof *index);
-    uint8_t *known = malloc(room);
-    for (size_t i = begin; i < end && index && known; i++) {
-        struct csg_queued *item = &queue->items.data[i];
-        item->terms.frame = &item->part;
-        item->terms.index = index;
-        item->terms.known = known;
-        number_leaves(item);
-        size_t tests;
-        item->ok =
-            csg_tile_object(&item->terms, item->object, &item->rect, &item->draw, SIZE_MAX, &tests);
-        item->terms.index = NULL;
-        item->terms.known = NULL;
-    }
-    free(index);
-    free(known);
+    size_t i = atomic_fetch_add(&queue->next, 1);
+    (void)task;
+    if (i >= queue->items.num)
+        return;
+    const size_t room = csg_stacks_room(queue->items.data[i].terms.scene->num_leaves);
+    struct worker worker = {.index = malloc(room * sizeof *worker.index), .known = malloc(room)};
+    for (; i < queue->items.num; i = atomic_fetch_add(&queue->next, 1))
+        if (worker.index && worker.known)
+            tile_item(&queue->items.data[i], &queue->frame->parts.data[i], &worker);
+    csg_tiler_finish(&worker.tiler);
+    free(worker.index);
+    free(worker.known);
 }
 
 static bool push_draws(struct csg_frame *frame, const struct csg_draw *draws, size_t num)
@@ -90,7 +98,8 @@ static bool splice(const struct csg_tile_queue *queue, struct csg_frame *frame)
     for (size_t i = 0; i < queue->items.num && ok; i++) {
         const struct csg_queued *item = &queue->items.data[i];
         ok = item->ok && push_draws(frame, others + next, item->at - first - next) &&
-             csg_frame_append(frame, &item->part);
+             csg_frame_append(frame, &frame->parts.data[i]);
+        csg_frame_end_part(frame, i);
         next = item->at - first;
     }
     ok = ok && push_draws(frame, others + next, num - next);
@@ -100,10 +109,8 @@ static bool splice(const struct csg_tile_queue *queue, struct csg_frame *frame)
 
 static void drop(struct csg_tile_queue *queue)
 {
-    for (size_t i = 0; i < queue->items.num; i++) {
+    for (size_t i = 0; i < queue->items.num; i++)
         csg_terms_finish(&queue->items.data[i].terms);
-        csg_frame_finish(&queue->items.data[i].part);
-    }
     queue->items.num = 0;
 }
 
@@ -111,8 +118,12 @@ bool csg_tile_queue_run(struct csg_tile_queue *queue, struct csg_frame *frame)
 {
     if (queue->items.num == 0)
         return true;
-    csg_parallel(frame->num_threads, (queue->items.num + CHUNK - 1) / CHUNK, tile_chunk, queue);
-    const bool ok = splice(queue, frame);
+    queue->frame = frame;
+    atomic_init(&queue->next, 0);
+    const bool started = csg_frame_start_parts(frame, queue->items.num);
+    if (started)
+        csg_parallel(frame->num_threads, queue->items.num, tile_left, queue);
+    const bool ok = started && splice(queue, frame);
     drop(queue);
     return ok;
 }

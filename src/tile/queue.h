@@ -8,6 +8,8 @@
  * frame does not depend on how many cores there are.
  */
 
+#include <stdatomic.h>
+
 #include "tile/tile.h"
 
 struct csg_queued {
@@ -16,13 +18,14 @@ struct csg_queued {
     struct csg_draw draw;
     struct csg_terms terms; /* its own but for index and known */
     size_t at;              /* draws of the frame before its own */
-    struct csg_frame part;
     bool ok;
 };
 
 /* Zero-initialise it. */
 struct csg_tile_queue {
-    CSG_ARRAY(struct csg_queued) items;
+    CSG_ARRAY(struct csg_queued) items; /* each has a part of the frame, of the same number */
+    struct csg_frame *frame;
+    atomic_size_t next; /* item to be tiled */
 };
 
 /* As csg_tile_object, later. Takes the leaves that terms hold. object lives until then. */

@@ -48,8 +48,11 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
                      const struct csg_rect *rect, const struct csg_draw *draw, size_t max_tests,
                      size_t *tests);
 
-/* Whether that would be done by one core. */
+/* Whether that would be done by one core, and as it does it. */
 bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect);
+bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms,
+                    const struct csg_object *object, const struct csg_rect *rect,
+                    const struct csg_draw *draw);
 
 /* How many solids a pixel would be tested against in tiles of the smallest size, from a few of
  * them: those that are not empty. Fewer samples are taken where the first ones say few or less, or
