@@ -50,10 +50,8 @@ static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
     plan->begin = malloc((objects->num + 1) * sizeof *plan->begin);
     if (!plan->begin || !add_objects(plan, scene) || !csg_plan_count_structures(plan, scene))
         return false;
-    for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++) {
-        plan->has_surface |= scene->leaves[i].shape.surface != NULL;
+    for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++)
         plan->has_rings |= scene->leaves[i].kind == CSG_KIND_ROTATE_EXTRUDE;
-    }
     met_leaves met = {{false}};
     for (size_t i = 0; i < objects->num && scene->keeps_structure; i++)
         list_lefts(plan, scene, met, &objects->data[i]);

@@ -56,7 +56,7 @@ struct csg_plan {
     size_t num_lefts;
     uint8_t *structures; /* per object, see csg/structure.h */
     bool is_common[CSG_PLAN_MAX_STRUCTURES];
-    bool has_surface, has_rings; /* ... and whether some leaf is one, or may be part of a stack */
+    bool has_rings; /* ... and whether some leaf may be part of a stack */
 };
 
 /* NULL: out of memory. */

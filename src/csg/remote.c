@@ -181,20 +181,12 @@ static bool plant(struct search *search)
     return ok;
 }
 
-static bool has_surfaces(const struct csgcast_scene *scene)
-{
-    for (size_t i = 0; i < scene->num_leaves; i++)
-        if (scene->leaves[i].shape.surface)
-            return true;
-    return false;
-}
-
 bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scene,
                      const bool *wanted, double rounding)
 {
     struct search search = {
         .scene = scene, .wanted = wanted, .rounding = rounding, .remote = remote};
-    if (!has_surfaces(scene))
+    if (!scene->has_surfaces)
         return true;
     remote->num_leaves = scene->num_leaves;
     remote->rounding = rounding;

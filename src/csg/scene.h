@@ -70,6 +70,7 @@ struct csgcast_scene {
     bool keeps_structure;         /* small objects keep what boxes show to be irrelevant */
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
     bool is_distributed;          /* objects were, see csg/distribute.h */
+    bool has_surfaces;            /* some leaf is one of triangles, see csg/surfaces.h */
     uint64_t revision;            /* grows with each edit */
     double load_ms, csg_ms;       /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves;      /* in file order: the public leaf index */

@@ -52,7 +52,7 @@ static size_t collect(const struct csgcast_scene *scene, struct job *jobs)
     return kept;
 }
 
-static size_t count_leaves(const struct csgcast_scene *scene)
+static size_t count_surfaces(const struct csgcast_scene *scene)
 {
     size_t num = 0;
     for (size_t i = 0; i < scene->num_leaves; i++)
@@ -62,7 +62,8 @@ static size_t count_leaves(const struct csgcast_scene *scene)
 
 bool csg_surfaces_build(struct csgcast_scene *scene)
 {
-    const size_t room = count_leaves(scene);
+    const size_t room = count_surfaces(scene);
+    scene->has_surfaces = room > 0;
     struct job *jobs = room ? malloc(room * sizeof *jobs) : NULL;
     if (!jobs)
         return room == 0;

@@ -81,10 +81,10 @@ static bool prepare_left(struct csg_chooser *chooser, uint32_t leaf)
     return prepare_run(chooser, run) && prepare_run(chooser, ball);
 }
 
-static int all_features(const struct csg_plan *plan)
+static int all_features(const struct csgcast_scene *scene)
 {
-    return CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | (plan->has_surface ? CSG_FEATURE_SURFACE : 0) |
-           (plan->has_rings ? CSG_FEATURE_BANDS : 0);
+    return CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | (scene->has_surfaces ? CSG_FEATURE_SURFACE : 0) |
+           (scene->plan->has_rings ? CSG_FEATURE_BANDS : 0);
 }
 
 /* The program of a resolver that draws any object, seen in any way; of bands there are two, see
@@ -100,7 +100,7 @@ static bool prepare_any(struct csg_chooser *chooser, enum csg_resolver resolver,
 static bool prepare_general(struct csg_chooser *chooser, enum csg_resolver resolver,
                             enum csg_resolver precise)
 {
-    const int all = all_features(chooser->request->scene->plan);
+    const int all = all_features(chooser->request->scene);
     return prepare_any(chooser, resolver, all) &&
            (!chooser->renderer->gl->has_double ||
             prepare_any(chooser, precise, all | CSG_FEATURE_DOUBLE));

@@ -112,15 +112,6 @@ static bool argument_error(const struct csgcast_renderer *renderer, const char *
     return false;
 }
 
-/* The textbook's formulas are for planes and quadrics. */
-static bool has_surface(const struct csgcast_scene *scene)
-{
-    for (size_t i = 0; i < scene->num_leaves; i++)
-        if (scene->leaves[i].shape.surface)
-            return true;
-    return false;
-}
-
 static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_request *request)
 {
     const struct csgcast_view *view = request->view;
@@ -141,7 +132,7 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
                       renderer->gl->name);
         return false;
     }
-    if (request->textbook && has_surface(request->scene)) {
+    if (request->textbook && request->scene->has_surfaces) {
         csg_log_warning(&renderer->log, CSGCAST_MESSAGE_ARGUMENT,
                         "the variant textbook has no surfaces of triangles: this picture is drawn "
                         "as without it");
@@ -201,7 +192,7 @@ static bool is_within_float(const struct csg_request *request)
 static bool is_off_surfaces(const struct csg_request *request)
 {
     const double *eye = request->frustum.eye;
-    return request->frustum.orthographic ||
+    return request->frustum.orthographic || !request->scene->has_surfaces ||
            !csg_eye_is_on_surface(request->scene, csg_vec3(eye[0], eye[1], eye[2]));
 }
 
