@@ -115,7 +115,7 @@ static bool extrude(struct csg_part *part, const struct basis *basis,
                                  {basis->u.y, basis->v.y, basis->n.y, 0},
                                  {basis->u.z, basis->v.z, basis->n.z, 0}}};
     bool too_large;
-    bool ok = csg_extrude(part, drawing, &lift, false, &too_large) || too_large;
+    bool ok = csg_extrude(part, drawing, &lift, SIZE_MAX, &too_large) || too_large;
     for (size_t i = 0; i < part->shapes.num; i++) {
         ok = csg_shape_map(&part->shapes.data[i], &map) && ok;
         part->shapes.data[i].sagitta = part->shapes.data[i].has_quadric ? sagitta : 0;

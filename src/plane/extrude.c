@@ -6,9 +6,6 @@
 #include "plane/prism_surface.h"
 #include "solids/facets.h"
 
-/* Where a surface of triangles is faster to draw than convex pieces, see docs/surfaces.md. */
-#define MAX_PIECES 100
-
 /* A node of the drawing that is open in the part. */
 struct open {
     uint32_t end; /* in the drawing */
@@ -21,7 +18,7 @@ struct extruder {
     struct csg_part *part;
     const struct csg_drawing *drawing;
     const struct csg_lift *lift;
-    bool surfaces;
+    size_t max_pieces; /* more become a surface */
     CSG_ARRAY(struct open) open;
     bool too_large;
 };
@@ -96,14 +93,14 @@ static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
         &extruder->drawing->figures.data[extruder->drawing->nodes.data[node].figure];
     struct csg_pieces pieces = {0};
     bool ok = true, taken = false;
-    if (extruder->surfaces && least_pieces(extruder->drawing, figure) > MAX_PIECES)
+    if (least_pieces(extruder->drawing, figure) > extruder->max_pieces)
         ok = add_surface(extruder, node, negated, &taken);
     if (!ok || taken)
         return ok;
     const enum csg_sweep_result result = csg_pieces_cut(&pieces, extruder->drawing, node);
     ok = result == CSG_SWEEP_DONE;
     extruder->too_large |= result == CSG_SWEEP_TOO_LARGE;
-    if (ok && extruder->surfaces && pieces.pieces.num > MAX_PIECES)
+    if (ok && pieces.pieces.num > extruder->max_pieces)
         ok = add_surface(extruder, node, negated, &taken);
     if (!ok || taken) {
         csg_pieces_finish(&pieces);
@@ -146,10 +143,10 @@ static bool open_node(struct extruder *extruder, const struct csg_draw_node *nod
 }
 
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
-                 const struct csg_lift *lift, bool surfaces, bool *too_large)
+                 const struct csg_lift *lift, size_t max_pieces, bool *too_large)
 {
     struct extruder extruder = {
-        .part = part, .drawing = drawing, .lift = lift, .surfaces = surfaces};
+        .part = part, .drawing = drawing, .lift = lift, .max_pieces = max_pieces};
     bool ok = true;
     for (uint32_t i = 0; i < drawing->nodes.num && ok && !part->is_too_large; i++) {
         const struct csg_draw_node *node = &drawing->nodes.data[i];

@@ -8,10 +8,15 @@
 #include "csg/part.h"
 #include "plane/prism.h"
 
-/* Polygons become unions of convex pieces, or, with surfaces, those of very many pieces one surface
- * (docs/surfaces.md). false: out of memory, or, with too_large set, a figure that is too large to
- * be cut. */
+/* From more convex pieces on a surface of triangles is faster to draw (docs/surfaces.md): of what
+ * objects are cut from or are made of one by one, and of what is blended, all of whose pieces are
+ * one object with two sides. */
+#define CSG_EXTRUDE_PIECES 100
+#define CSG_EXTRUDE_BLENDED_PIECES 3
+
+/* Polygons become unions of convex pieces, those of more than max_pieces one surface. false: out of
+ * memory, or, with too_large set, a figure that is too large to be cut. */
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
-                 const struct csg_lift *lift, bool surfaces, bool *too_large);
+                 const struct csg_lift *lift, size_t max_pieces, bool *too_large);
 
 #endif

@@ -233,12 +233,20 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
     return done;
 }
 
+static bool is_marked(const struct walk *walk, uint32_t node)
+{
+    return csg_walk_node(&walk->base, node)->modifiers &
+           (CSG_MODIFIER_BACKGROUND | CSG_MODIFIER_HIGHLIGHT);
+}
+
 static bool read_compound(struct walk *walk, uint32_t node, const struct csg_space *space)
 {
     const struct csg_node_ops *ops = csg_walk_ops(&walk->base, node);
     const bool is_slab = walk->builder->meanings[node].is_slab;
     struct csg_part part = {0};
     struct csg_args args;
+    walk->base.is_see_through =
+        space->is_marked || is_marked(walk, node) || (space->color[3] >= 0 && space->color[3] < 1);
     bool done = is_slab ? csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args) &&
                               csg_compound_slab(&walk->base, node, &args, space->in_boolean, &part)
                         : csg_repeats_read(&walk->base, node, ops, space->in_boolean, &part);
@@ -261,7 +269,7 @@ static bool enter(struct walk *walk, uint32_t node)
     const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
     const struct csg_node_ops *ops = csg_walk_ops(&walk->base, node);
     struct frame frame = walk->frames.data[walk->frames.num - 1];
-    const bool was_in_boolean = frame.space.in_boolean;
+    const bool was_in_boolean = frame.space.in_boolean, was_marked = frame.space.is_marked;
     struct csg_args args;
     if (!csg_walk_args(&walk->base, node, ops->name, ops->parameters, &args))
         return false;
@@ -269,7 +277,9 @@ static bool enter(struct walk *walk, uint32_t node)
         ops->enter(&args, &frame.space);
     frame.end = parsed->end;
     frame.space.in_boolean = was_in_boolean || csg_walk_is_boolean(&walk->base, node);
-    const bool has_changed = ops->enter || frame.space.in_boolean != was_in_boolean;
+    frame.space.is_marked |= is_marked(walk, node);
+    const bool has_changed = ops->enter || frame.space.in_boolean != was_in_boolean ||
+                             frame.space.is_marked != was_marked;
     if (has_changed && frame.end > node + 1 && !csg_array_push(&walk->frames, frame))
         return csg_log_memory(&walk->builder->report->log);
     return true;

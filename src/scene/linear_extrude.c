@@ -94,12 +94,12 @@ static bool lean(struct csg_part *part, const struct extrusion *extrusion)
 }
 
 /* What stays exact: the section is only scaled, the same along x and y. */
-static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion,
+static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion, bool in_boolean,
                     const struct csg_drawing *drawing, const double z[2], struct csg_part *part)
 {
     const struct csg_lift lift = {.z0 = z[0], .s0 = 1, .z1 = z[1], .s1 = extrusion->scale[0]};
     bool too_large = false;
-    if (csg_extrude(part, drawing, &lift, walk->depth == 0, &too_large))
+    if (csg_extrude(part, drawing, &lift, csg_walk_max_pieces(walk, in_boolean), &too_large))
         return true;
     part->is_too_large |= too_large;
     return too_large || csg_log_memory(&walk->builder->report->log);
@@ -147,7 +147,7 @@ bool csg_compound_linear_extrude(struct csg_walk *walk, uint32_t node, const str
     const bool ok =
         (extrusion.has_file ? csg_import_drawing(walk, node, args, extrusion.scale[0], &drawing)
                             : csg_drawing_read(walk, node, in_boolean, &drawing)) &&
-        (is_even ? extrude(walk, &extrusion, &drawing, z, part)
+        (is_even ? extrude(walk, &extrusion, in_boolean, &drawing, z, part)
                  : twist(walk, node, &extrusion, &drawing, z, part));
     for (size_t i = 0; i < part->shapes.num; i++)
         part->shapes.data[i].rounding += extrusion.rounding;

@@ -29,6 +29,7 @@ struct csg_space {
      * only matrices below a Boolean: a common map of all its operands moves them alike. */
     double error[3][4];
     bool in_boolean; /* below a difference or intersection of several operands */
+    bool is_marked;  /* below % or # */
     bool is_empty;   /* the map collapses or destroys what is in it */
     float color[4];
     bool has_color; /* color is one that inner colours cannot replace */

@@ -71,9 +71,10 @@ static bool fill_key(const struct csg_walk *walk, uint32_t node, bool in_boolean
 {
     const struct csg_builder *builder = walk->builder;
     const uint32_t end = csg_walk_node(walk, node)->end;
-    const char wanted[] = {(char)in_boolean, (char)walk->points_only, (char)builder->facets,
-                           (char)(walk->depth > 127 ? 127 : walk->depth),
-                           (char)(csg_walk_node(walk, node)->twin != CSG_NO_TWIN)};
+    const char wanted[] = {
+        (char)in_boolean,           (char)walk->points_only,
+        (char)builder->facets,      (char)(walk->depth > 127 ? 127 : walk->depth),
+        (char)walk->is_see_through, (char)(csg_walk_node(walk, node)->twin != CSG_NO_TWIN)};
     bool ok = csg_bytes_append(key, wanted, sizeof wanted);
     for (uint32_t i = node; i < end && ok; i++) {
         const struct csg_meaning *m = &builder->meanings[i];

@@ -15,7 +15,8 @@ bool csg_compound_slab(struct csg_walk *walk, uint32_t node, const struct csg_ar
     bool too_large = false;
     (void)args;
     bool ok = csg_drawing_read_node(walk, node, in_boolean, &drawing);
-    if (ok && !csg_extrude(part, &drawing, &lift, true, &too_large))
+    if (ok &&
+        !csg_extrude(part, &drawing, &lift, csg_walk_max_pieces(walk, in_boolean), &too_large))
         ok = too_large || csg_log_memory(&walk->builder->report->log);
     part->is_too_large |= too_large;
     for (size_t i = 0; i < part->shapes.num; i++)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "mesh/surface.h"
+#include "plane/extrude.h"
 #include "scene/handoff.h"
 #include "scene/transforms.h"
 
@@ -127,4 +128,13 @@ bool csg_walk_is_boolean(const struct csg_walk *walk, uint32_t node)
     for (uint32_t i = node + 1; i < nodes[node].end && num_operands < 2; i = nodes[i].end)
         num_operands += !csg_is_left_out(walk->builder, i);
     return num_operands == 2;
+}
+
+/* What is inside of another compound is wanted as convex pieces. */
+size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean)
+{
+    const bool is_blended = walk->is_see_through && !in_boolean;
+    return walk->depth > 0 ? SIZE_MAX
+           : is_blended    ? CSG_EXTRUDE_BLENDED_PIECES
+                           : CSG_EXTRUDE_PIECES;
 }

@@ -19,7 +19,8 @@ struct csg_walk {
     int depth;                         /* of compounds inside of compounds */
     const struct csg_resized *resized; /* the innermost one; NULL: none */
     bool points_only;                  /* of what is read only the points matter, as for a hull */
-    bool was_placed; /* something read since this was false depends on what is around it */
+    bool is_see_through; /* what is read shows what is behind it: %, #, a translucent colour */
+    bool was_placed;     /* something read since this was false depends on what is around it */
 };
 
 static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk *walk,
@@ -46,6 +47,9 @@ void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *form
 /* "file:line:column: node: text" */
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
     CSG_PRINTF(3, 4);
+/* The convex pieces that an extruded polygon may be made of, see plane/extrude.h. */
+size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean);
+
 /* From a node's own space into that space, its rounding as well. false: nothing is left there. */
 bool csg_space_place(const struct csg_space *space, struct csg_shape *shape);
 
