@@ -360,16 +360,23 @@ static bool begin(struct csg_tiler *tiler, struct csg_tile_task *task)
     return false;
 }
 
-/* The object's own part of the layer's tree, counted from 0. */
+/* The object's own part of the layer's tree, counted from 0. Tiles leave spare leaves out, which are
+ * nowhere: a record would keep none of their planes, and one without planes is everywhere. */
 static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object,
                         struct csg_tree *tree)
 {
     const struct csg_stacks *stacks = &tiler->terms->stacks;
     const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data;
-    if (stacks->list.num)
-        return copy_tree(tiler, &stacks->tree, tree);
-    *tree = take_tree(tiler);
-    return csg_tree_append(tree, nodes, object->begin, object->end);
+    bool ok = true;
+    if (stacks->list.num) {
+        ok = copy_tree(tiler, &stacks->tree, tree);
+    } else {
+        *tree = take_tree(tiler);
+        ok = csg_tree_append(tree, nodes, object->begin, object->end);
+    }
+    for (size_t i = 0; i < tree->num && ok; i++)
+        tree->data[i].spare = false;
+    return ok;
 }
 
 static bool is_spent(struct csg_tile_budget *budget)
