@@ -83,26 +83,64 @@ static bool add_groups(struct csgcast_scene *scene, const struct summary *summar
     return ok;
 }
 
-static size_t count_leaves_at(const struct csgcast_scene *scene, uint32_t line, uint32_t column)
+/* ---- handed to OpenSCAD -------------------------------------------------------------------- */
+
+/* The places of leaves in the text. */
+struct places {
+    size_t num;
+    uint64_t *data; /* ascending */
+};
+
+static uint64_t place_of(uint32_t line, uint32_t column)
 {
-    size_t num = 0;
-    for (size_t i = 0; i < scene->num_leaves; i++)
-        num += scene->leaves[i].kind == CSG_KIND_OPENSCAD && scene->leaves[i].line == line &&
-               scene->leaves[i].column == column;
-    return num;
+    return (uint64_t)line << 32 | column;
 }
 
-static bool add_handed_off(struct csgcast_scene *scene)
+static int compare_places(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Of what OpenSCAD made. data is NULL: out of memory. */
+static struct places list_places(const struct csgcast_scene *scene)
+{
+    struct places places = {0, malloc((scene->num_leaves + 1) * sizeof *places.data)};
+    for (size_t i = 0; i < scene->num_leaves && places.data; i++) {
+        const struct csg_leaf *leaf = &scene->leaves[i];
+        if (leaf->kind == CSG_KIND_OPENSCAD)
+            places.data[places.num++] = place_of(leaf->line, leaf->column);
+    }
+    if (places.num > 1)
+        qsort(places.data, places.num, sizeof *places.data, compare_places);
+    return places;
+}
+
+static size_t num_before(const struct places *places, uint64_t place)
+{
+    size_t lo = 0, hi = places->num;
+    while (lo < hi) {
+        const size_t mid = lo + (hi - lo) / 2;
+        if (places->data[mid] < place)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return lo;
+}
+
+static bool add_nodes(struct csgcast_scene *scene, const struct places *places)
 {
     bool ok = true;
     for (size_t i = 0; i < scene->handed_off.num && ok; i++) {
         const struct csg_handed_off_node *node = &scene->handed_off.data[i];
+        const uint64_t place = place_of(node->line, node->column);
         const struct csgcast_scene_way entry = {
             .way = CSGCAST_WAY_OPENSCAD,
             .name = node->name,
             .reason = node->reason,
             .num_nodes = 1,
-            .num_leaves = count_leaves_at(scene, node->line, node->column),
+            .num_leaves = num_before(places, place + 1) - num_before(places, place),
             .line = node->line,
             .column = node->column,
             .seconds = node->seconds,
@@ -110,6 +148,16 @@ static bool add_handed_off(struct csgcast_scene *scene)
         };
         ok = csg_array_push(&scene->ways, entry);
     }
+    return ok;
+}
+
+static bool add_handed_off(struct csgcast_scene *scene)
+{
+    if (scene->handed_off.num == 0)
+        return true;
+    const struct places places = list_places(scene);
+    const bool ok = places.data && add_nodes(scene, &places);
+    free(places.data);
     return ok;
 }
 
