@@ -126,9 +126,8 @@ static void quadric_coordinates(const struct csg_carrier_space *space,
                                 const struct csg_quadric *quadric, double coordinates[3])
 {
     const double curved = curvature(quadric);
-    /* The distance follows a small change of the surface only to first order: wider cells. */
     for (int i = 0; i < 3; i++)
-        coordinates[i] = distance_of(quadric, curved, space->probes[i]) / (8 * space->cell);
+        coordinates[i] = distance_of(quadric, curved, space->probes[i]) / space->cell;
 }
 
 /* ---- keys --------------------------------------------------------------------------------- */
