@@ -84,6 +84,35 @@ static bool check_readable(const struct run *run, const char *path)
     return !error;
 }
 
+/* JSON has one way, that anybody uses, to write it. */
+static bool is_plain(const char *name)
+{
+    for (; *name; name++)
+        if (*name < ' ' || *name > '~' || strchr("\"\\/", *name))
+            return false;
+    return true;
+}
+
+/* openscad does not say that it has not found the set. */
+static bool check_set(const struct run *run, const char *path, const char *set)
+{
+    struct csg_bytes text = {0};
+    char name[256];
+    const int length = snprintf(name, sizeof name, "\"%s\"", set);
+    if (length >= (int)sizeof name || !is_plain(set) || !csg_file_read_regular(path, &text))
+        return true;
+    if (!csg_bytes_append(&text, "", 1)) {
+        free(text.data);
+        return csg_log_memory(run->log);
+    }
+    if (!strstr(text.data, name))
+        csg_log_warning(run->log, CSGCAST_MESSAGE_ARGUMENT,
+                        "%s has no set of parameters '%s': openscad takes those of %s", path, set,
+                        run->path);
+    free(text.data);
+    return true;
+}
+
 /* Of a pipe nothing would be left for openscad. */
 static bool check_text(const struct run *run)
 {
@@ -102,6 +131,8 @@ static bool prepare(struct run *run, const struct csgcast_scene_params *params)
 {
     return make_absolute(run) && check_readable(run, run->path) && check_text(run) &&
            (!params->parameter_file || check_readable(run, params->parameter_file)) &&
+           (!params->parameter_file || !params->parameter_set ||
+            check_set(run, params->parameter_file, params->parameter_set)) &&
            make_folder(run);
 }
 

@@ -73,6 +73,8 @@ expect 1 "no file of parameters" render box.scad -p none.json -P large -o a.png
 says "cannot read none.json: No such file or directory"
 expect 1 "a folder of parameters" render box.scad -p . -P large -o a.png
 says "cannot read .: Is a directory"
+expect 0 "no such set" render box.scad -p box.json -P huge "${small[@]}" -o a.png
+says "box.json has no set of parameters 'huge'"
 expect 0 "half a pair" render box.scad -p box.json "${small[@]}" -o a.png
 says "-p box.json has no effect"
 
