@@ -7,9 +7,9 @@
 #include "cells/build.h"
 #include "cells/kept.h"
 #include "common/hash.h"
-#include "csg/side.h"
 #include "common/parallel.h"
 #include "csg/carrier.h"
+#include "csg/side.h"
 
 /* The margin as a share of the object's size: far above what floats lose on the way to a cell. */
 #define MARGIN 1e-4

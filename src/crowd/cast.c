@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "common/layout.glsl"
 #include "common/wide.h"
+#include "common/layout.glsl"
 
 /* Bound of the rounding of a term of a few float operations, as a share of its largest part. */
 #define ROUNDING 5e-7f

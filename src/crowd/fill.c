@@ -7,11 +7,11 @@
 #include "common/order.h"
 #include "common/parallel.h"
 #include "common/prefetch.h"
-#include "crowd/cull.h"
-#include "csg/carrier.h"
 #include "crowd/crowd.h"
+#include "crowd/cull.h"
 #include "crowd/occluders.h"
 #include "crowd/sift.h"
+#include "csg/carrier.h"
 #include "pack/ball.h"
 #include "pack/terms.h"
 

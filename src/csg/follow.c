@@ -8,10 +8,10 @@
 #include "common/order.h"
 #include "crowd/crowd.h"
 #include "csg/carrier_builder.h"
+#include "csg/carrier_kin.h"
 #include "csg/distribute.h"
 #include "csg/follower.h"
 #include "csg/framing.h"
-#include "csg/carrier_kin.h"
 #include "csg/operand.h"
 #include "csg/sharpness.h"
 

@@ -8,8 +8,8 @@
  * itself, so the stack holds at most log2(leaves) operands (Sethi and Ullman 1970).
  */
 
-#include "common/layout.glsl"
 #include "csg/object.h"
+#include "common/layout.glsl"
 
 struct csg_step {
     uint32_t leaf;  /* unused by POP */

@@ -15,9 +15,9 @@
 #include "csg/gather.h"
 #include "csg/object.h"
 #include "csg/program.h"
-#include "csg/ways.h"
 #include "csg/sharpness.h"
 #include "csg/surfaces.h"
+#include "csg/ways.h"
 #include "mesh/surface.h"
 
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)

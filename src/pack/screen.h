@@ -19,8 +19,8 @@
  * pixels and depth moved to where the object is. docs/numerics.md has the derivation and figures.
  */
 
-#include "common/layout.glsl" /* from shaders/: what C and GLSL share */
 #include "csg/carrier.h"
+#include "common/layout.glsl" /* from shaders/: what C and GLSL share */
 
 /* Drivers run programs for whole blocks of pixels, and so for those beside what is drawn: llvmpipe for 4 by
  * 4, GPUs for 2 by 2. Tables by pixel hold these as well: what is read from nowhere may send a loop

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "csg/object.h"
-#include "reference/crossings.h"
 #include "reference/bounds.h"
+#include "reference/crossings.h"
 
 /* One operand's crossings: a run of the pool. */
 struct list {

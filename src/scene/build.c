@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/clip.h"
-#include "scene/import.h"
 #include "scene/build.h"
 
 #include <stdlib.h>
 
+#include "scene/clip.h"
+#include "scene/import.h"
 #include "scene/repeats.h"
 #include "scene/text.h"
 

@@ -8,9 +8,9 @@
  * their places. A drawing comes as the floor of a mesh.
  */
 
+#include "common/file.h"
 #include "plane/drawing.h"
 #include "polyhedra/mesh.h"
-#include "common/file.h"
 #include "scene/document.h"
 #include "scene/nodes.h"
 

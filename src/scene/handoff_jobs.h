@@ -6,9 +6,9 @@
 
 #include "common/array.h"
 #include "common/folder.h"
+#include "common/process.h"
 #include "scene/cache.h"
 #include "scene/handoff.h"
-#include "common/process.h"
 #include "scene/report.h"
 
 /* A text that openscad is to evaluate. */

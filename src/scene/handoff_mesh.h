@@ -7,9 +7,9 @@
  * floats, against six digits in all the others.
  */
 
+#include "common/file.h"
 #include "plane/drawing.h"
 #include "polyhedra/mesh.h"
-#include "common/file.h"
 
 enum csg_stl_result {
     CSG_STL_DONE,

@@ -2,8 +2,8 @@
 #ifndef CSG_SCENE_MESH_FILE_H
 #define CSG_SCENE_MESH_FILE_H
 
-#include "polyhedra/mesh.h"
 #include "common/file.h"
+#include "polyhedra/mesh.h"
 
 /* Files of meshes and of heights: words between blanks, and binary STL. */
 

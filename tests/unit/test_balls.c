@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 #include "check.h"
-#include "dice.h"
 #include "crowd/balls.h"
+#include "dice.h"
 #include "pack/ball.h"
 
 enum { num_rows = 300, width = 640, height = 200 };

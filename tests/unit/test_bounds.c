@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "csg/scene.h"
+#include "dice.h"
 #include "reference/bounds.h"
 #include "reference/reference.h"
 

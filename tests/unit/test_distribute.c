@@ -12,8 +12,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "csg/membership.h"
+#include "dice.h"
 
 enum { NUM_SOLIDS = 60, NUM_POINTS = 20000, MAX_TEXT = 1 << 16 };
 

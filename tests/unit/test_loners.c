@@ -11,10 +11,10 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "csg/carrier.h"
 #include "csg/carrier_builder.h"
 #include "csg/scene.h"
+#include "dice.h"
 
 enum { NUM_CUBES = 4000, NUM_SPHERES = 3000, RANGE = 30000, ROOM = 1 << 20 };
 

@@ -11,9 +11,9 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "crowd/crowd.h"
 #include "crowd/project.h"
+#include "dice.h"
 
 enum { num_solids = 150, num_angles = 400, num_views = 3, size = 2000 };
 

@@ -13,8 +13,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "crowd/cull.h"
+#include "dice.h"
 
 enum { num_spheres = 3000, size = 200 };
 

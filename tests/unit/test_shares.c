@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "dice.h"
 #include "csg/scene.h"
+#include "dice.h"
 
 enum { NUM_STATEMENTS = 40000, ROOM = 1 << 23 };
 

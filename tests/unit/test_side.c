@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "csg/side.h"
 #include "check.h"
-#include "dice.h"
 #include "csg/scene.h"
+#include "csg/side.h"
+#include "dice.h"
 
 static struct csg_vec3 random_point(const struct csg_box *box)
 {
