@@ -15,6 +15,15 @@ typedef void csg_task_fn(void *user, size_t task);
  */
 void csg_parallel(int num_threads, size_t num, csg_task_fn *task, void *user);
 
+/* The tasks that no thread has taken yet. */
+struct csg_tasks;
+typedef void csg_worker_fn(void *user, struct csg_tasks *tasks);
+
+/* The same for tasks that need memory, which threads would wait for each other to get: each thread
+ * calls the worker once, which takes tasks for as long as there are any. */
+void csg_parallel_workers(int num_threads, size_t num, csg_worker_fn *worker, void *user);
+bool csg_take_task(struct csg_tasks *tasks, size_t *task);
+
 /*
  * Calls task(user, 0) with a stack of its own, and waits for it: for what goes as deep as the input
  * and has gone deep already. false: not called, for want of memory or threads.

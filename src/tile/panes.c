@@ -8,7 +8,6 @@
 
 #include "tile/tile.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "common/parallel.h"
@@ -39,7 +38,6 @@ struct job {
     const struct csg_draw *draw;
     struct pane *panes;
     size_t num;
-    atomic_size_t next; /* pane to be tiled */
 };
 
 /* What is drawn and counted goes to a frame of its own. */
@@ -52,22 +50,18 @@ static void tile_pane(const struct job *job, struct pane *pane, struct csg_tiler
     pane->ok = pane->ok && csg_tile_area(tiler, &terms, job->object, &pane->area, job->draw);
 }
 
-/* All panes that are left, as many as other cores do not come to. Threads that ask for memory wait
- * for each other, so all of them use the same. */
-static void tile_left(void *user, size_t task)
+static void tile_some(void *user, struct csg_tasks *tasks)
 {
-    struct job *job = user;
+    const struct job *job = user;
     struct csg_tiler tiler = {0};
-    (void)task;
-    for (size_t i; (i = atomic_fetch_add(&job->next, 1)) < job->num;)
+    for (size_t i; csg_take_task(tasks, &i);)
         tile_pane(job, &job->panes[i], &tiler);
     csg_tiler_finish(&tiler);
 }
 
 static void tile_all(struct job *job)
 {
-    atomic_init(&job->next, 0);
-    csg_parallel(job->terms->frame->num_threads, job->num, tile_left, job);
+    csg_parallel_workers(job->terms->frame->num_threads, job->num, tile_some, job);
 }
 
 /* Panes of that size across or down. */

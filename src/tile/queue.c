@@ -56,17 +56,12 @@ static void tile_item(struct csg_queued *item, struct csg_frame *part, struct wo
     item->terms.known = NULL;
 }
 
-/* All that are left, as many as other cores do not come to. */
-static void tile_left(void *user, size_t task)
+static void tile_some(void *user, struct csg_tasks *tasks)
 {
     struct csg_tile_queue *queue = user;
-    size_t i = atomic_fetch_add(&queue->next, 1);
-    (void)task;
-    if (i >= queue->items.num)
-        return;
-    const size_t room = csg_stacks_room(queue->items.data[i].terms.scene->num_leaves);
+    const size_t room = csg_stacks_room(queue->items.data[0].terms.scene->num_leaves);
     struct worker worker = {.index = malloc(room * sizeof *worker.index), .known = malloc(room)};
-    for (; i < queue->items.num; i = atomic_fetch_add(&queue->next, 1))
+    for (size_t i; csg_take_task(tasks, &i);)
         if (worker.index && worker.known)
             tile_item(&queue->items.data[i], &queue->frame->parts.data[i], &worker);
     csg_tiler_finish(&worker.tiler);
@@ -119,10 +114,9 @@ bool csg_tile_queue_run(struct csg_tile_queue *queue, struct csg_frame *frame)
     if (queue->items.num == 0)
         return true;
     queue->frame = frame;
-    atomic_init(&queue->next, 0);
     const bool started = csg_frame_start_parts(frame, queue->items.num);
     if (started)
-        csg_parallel(frame->num_threads, queue->items.num, tile_left, queue);
+        csg_parallel_workers(frame->num_threads, queue->items.num, tile_some, queue);
     const bool ok = started && splice(queue, frame);
     drop(queue);
     return ok;

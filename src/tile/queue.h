@@ -8,8 +8,6 @@
  * frame does not depend on how many cores there are.
  */
 
-#include <stdatomic.h>
-
 #include "tile/tile.h"
 
 struct csg_queued {
@@ -25,7 +23,6 @@ struct csg_queued {
 struct csg_tile_queue {
     CSG_ARRAY(struct csg_queued) items; /* each has a part of the frame, of the same number */
     struct csg_frame *frame;
-    atomic_size_t next; /* item to be tiled */
 };
 
 /* As csg_tile_object, later. Takes the leaves that terms hold. object lives until then. */
