@@ -136,7 +136,7 @@ bool csg_screen_eye_is_in(const struct csg_screen *screen, const struct csg_box 
     const struct csg_vec3 eye = screen->origin, lo = box->lo, hi = box->hi;
     const double near = screen->near; /* on the surface is inside of the box */
     if (screen->orthographic)
-        return !csg_box_is_finite(box);
+        return !csg_box_is_empty(box) && !csg_box_is_finite(box);
     return lo.x - near <= eye.x && eye.x <= hi.x + near && lo.y - near <= eye.y &&
            eye.y <= hi.y + near && lo.z - near <= eye.z && eye.z <= hi.z + near;
 }

@@ -56,7 +56,7 @@ void csg_screen_use_textbook(struct csg_screen *screen, const struct csg_box *fo
 /* Where rays start: what is nearer than t has happened. Perspective only. */
 void csg_screen_set_near(struct csg_screen *screen, double t);
 
-/* Whether rays start in a box, or may. */
+/* Whether rays start in a box, or may; in an empty one none does. */
 bool csg_screen_eye_is_in(const struct csg_screen *screen, const struct csg_box *box);
 
 /* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */

@@ -360,11 +360,32 @@ static void check_render(struct bench *bench)
     csgcast_scene_destroy(scene);
 }
 
+/* An object of which nothing is left is nowhere, not everywhere: it takes no far side from others,
+ * in views without perspective either. */
+static void check_nowhere(struct bench *bench)
+{
+    static const char text[] =
+        "color([0.2, 0.6, 0.9, 0.5]) cube(10);\n"
+        "intersection() { cube(2); multmatrix([[1,0,0,0],[0,1,0,9],[0,0,1,0],[0,0,0,1]]) "
+        "sphere(2); }";
+    static const struct csgcast_camera cameras[] = {
+        {.viewall = true}, {.viewall = true, .projection = CSGCAST_ORTHOGRAPHIC}};
+    struct csgcast_scene *scene = bench_begin(bench, text), *fresh = bench_parse(text);
+    for (size_t i = 0; i < 2; i++) {
+        bench_draw_edited(bench, scene, &cameras[i]);
+        bench_draw(bench->fresh, fresh, &cameras[i], &bench->expected);
+        bench_compare_pictures(bench, "an object that is nowhere", true);
+    }
+    csgcast_scene_destroy(fresh);
+    csgcast_scene_destroy(scene);
+}
+
 void check_cases(struct bench *bench)
 {
     check_render(bench);
     check_zeros(bench);
     check_empty(bench);
+    check_nowhere(bench);
     check_getters(bench);
     check_same(bench);
     check_section(bench);
