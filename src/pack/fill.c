@@ -270,7 +270,7 @@ static bool is_too_fine(const struct packer *packer, uint8_t layer)
     for (size_t i = 0; i < frame->listed.num; i++) {
         const uint32_t index = frame->listed.data[i];
         const struct csg_object *object = &packer->scene->objects->data[index];
-        if (object->layer != layer || object->hidden)
+        if (object->layer != layer || object->hidden || csg_box_is_empty(&object->box))
             continue;
         num++;
         zoomed += frame->precisions.data[index].zoomed;

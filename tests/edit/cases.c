@@ -361,7 +361,7 @@ static void check_render(struct bench *bench)
 }
 
 /* An object of which nothing is left is nowhere, not everywhere: it takes no far side from others,
- * in views without perspective either. */
+ * in views without perspective and of little of the scene either. */
 static void check_nowhere(struct bench *bench)
 {
     static const char text[] =
@@ -369,10 +369,12 @@ static void check_nowhere(struct bench *bench)
         "intersection() { cube(2); multmatrix([[1,0,0,0],[0,1,0,9],[0,0,1,0],[0,0,0,1]]) "
         "sphere(2); }";
     static const struct csgcast_camera cameras[] = {
-        {.viewall = true}, {.viewall = true, .projection = CSGCAST_ORTHOGRAPHIC}};
+        {.viewall = true},
+        {.viewall = true, .projection = CSGCAST_ORTHOGRAPHIC},
+        {.kind = CSGCAST_CAMERA_GIMBAL, .rotate = {53, 0, 168}, .distance = 100, .fov = 5e-4}};
     struct csgcast_scene *scene = bench_begin(bench, text), *fresh = bench_parse(text);
-    for (size_t i = 0; i < 2; i++) {
-        bench_draw_edited(bench, scene, &cameras[i]);
+    for (size_t i = 0; i < 3; i++) {
+        bench_draw(bench->edited, scene, &cameras[i], &bench->got);
         bench_draw(bench->fresh, fresh, &cameras[i], &bench->expected);
         bench_compare_pictures(bench, "an object that is nowhere", true);
     }
