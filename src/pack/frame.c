@@ -83,6 +83,13 @@ bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part)
     return true;
 }
 
+void csg_frame_start_part(struct csg_frame *part, const struct csg_frame *whole)
+{
+    csg_frame_clear(part);
+    part->screen = whole->screen;
+    part->at = whole->at;
+}
+
 bool csg_frame_start_parts(struct csg_frame *frame, size_t num)
 {
     const size_t before = frame->parts.num;
@@ -90,12 +97,8 @@ bool csg_frame_start_parts(struct csg_frame *frame, size_t num)
         return false;
     for (; frame->parts.num < num; frame->parts.num++)
         frame->parts.data[frame->parts.num] = (struct csg_frame){0};
-    for (size_t i = 0; i < num; i++) {
-        struct csg_frame *part = &frame->parts.data[i];
-        csg_frame_clear(part);
-        part->screen = frame->screen;
-        part->at = frame->at;
-    }
+    for (size_t i = 0; i < num; i++)
+        csg_frame_start_part(&frame->parts.data[i], frame);
     return true;
 }
 

@@ -123,7 +123,10 @@ void csg_frame_clear(struct csg_frame *frame);
  * texels only but for attribute blocks. false: out of memory. */
 bool csg_frame_append(struct csg_frame *frame, const struct csg_frame *part);
 
-/* Makes the first num of the frame's parts empty frames of the same screen. false: out of memory. */
+/* Makes part, zeroed before its first use, an empty frame of the same screen. */
+void csg_frame_start_part(struct csg_frame *part, const struct csg_frame *whole);
+
+/* The same of the first num of the frame's own parts. false: out of memory. */
 bool csg_frame_start_parts(struct csg_frame *frame, size_t num);
 
 /* Where that is not much, the memory of a part that is done with stays for the next frame. */

@@ -207,8 +207,7 @@ static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row,
     struct csg_frame frames[SAMPLES] = {0};
     bool ok = true;
     for (size_t i = 0; i < SAMPLES; i++) {
-        frames[i].screen = job->terms->frame->screen;
-        frames[i].at = job->terms->frame->at;
+        csg_frame_start_part(&frames[i], job->terms->frame);
         job->panes[i] = (struct pane){.frame = &frames[i], .area = sample_area(rect, i, row)};
     }
     tile_all(job);
