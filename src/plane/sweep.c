@@ -77,14 +77,6 @@ static bool add_edges(struct csg_sweep *sweep, const struct csg_drawing *drawing
 
 /* ---- crossings ---------------------------------------------------------------------------- */
 
-static int compare_low(const void *a, const void *b)
-{
-    const struct csg_sweep_edge *x = a, *y = b;
-    if (x->low.y != y->low.y)
-        return x->low.y < y->low.y ? -1 : 1;
-    return x->low.x < y->low.x ? -1 : x->low.x > y->low.x;
-}
-
 /* Where the order of the two edges changes, if it does: the height there. */
 static bool cross(const struct csg_sweep_edge *a, const struct csg_sweep_edge *b, double noise,
                   double *y)
@@ -100,16 +92,59 @@ static bool cross(const struct csg_sweep_edge *a, const struct csg_sweep_edge *b
     return true;
 }
 
-/* All pairs that overlap in y. The edges are in the order of their lower ends. */
+/* An edge from end to end along an axis. */
+struct extent {
+    double lo, hi;
+    uint32_t edge;
+};
+
+static int compare_extents(const void *a, const void *b)
+{
+    const struct extent *x = a, *y = b;
+    return csg_compare_doubles(&x->lo, &y->lo);
+}
+
+static struct extent extent_of(const struct csg_sweep *sweep, uint32_t i, bool along_x)
+{
+    const struct csg_sweep_edge *edge = &sweep->edges.data[i];
+    return along_x ? (struct extent){fmin(edge->low.x, edge->high.x),
+                                     fmax(edge->low.x, edge->high.x), i}
+                   : (struct extent){edge->low.y, edge->high.y, i};
+}
+
+/* How many edges a line across the axis cuts, on average. */
+static double crowding(const struct csg_sweep *sweep, bool along_x)
+{
+    double lo = INFINITY, hi = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < sweep->edges.num; i++) {
+        const struct extent extent = extent_of(sweep, i, along_x);
+        lo = fmin(lo, extent.lo);
+        hi = fmax(hi, extent.hi);
+        sum += extent.hi - extent.lo;
+    }
+    return sum / (hi - lo);
+}
+
+/* All pairs that overlap along the axis, of the two the one with fewer. */
 static bool add_crossings(struct csg_sweep *sweep, double noise)
 {
-    const struct csg_sweep_edge *edges = sweep->edges.data;
+    const bool along_x = crowding(sweep, true) < crowding(sweep, false);
+    CSG_ARRAY(struct extent) extents = {0};
+    bool ok = csg_array_reserve(&extents, sweep->edges.num);
     double y;
-    for (size_t i = 0; i < sweep->edges.num; i++)
-        for (size_t j = i + 1; j < sweep->edges.num && edges[j].low.y < edges[i].high.y; j++)
-            if (cross(&edges[i], &edges[j], noise, &y) && !csg_array_push(&sweep->levels, y))
-                return false;
-    return true;
+    for (uint32_t i = 0; i < sweep->edges.num && ok; i++)
+        extents.data[extents.num++] = extent_of(sweep, i, along_x);
+    if (extents.num)
+        qsort(extents.data, extents.num, sizeof *extents.data, compare_extents);
+    for (size_t i = 0; i < extents.num && ok; i++)
+        for (size_t j = i + 1; j < extents.num && extents.data[j].lo < extents.data[i].hi; j++) {
+            const struct csg_sweep_edge *a = &sweep->edges.data[extents.data[i].edge];
+            const struct csg_sweep_edge *b = &sweep->edges.data[extents.data[j].edge];
+            if (cross(a, b, noise, &y) && !csg_array_push(&sweep->levels, y))
+                ok = false;
+        }
+    free(extents.data);
+    return ok;
 }
 
 /* ---- levels ------------------------------------------------------------------------------- */
@@ -230,6 +265,14 @@ static bool fill_slab(struct slabs *slabs, uint32_t level, double noise)
     return true;
 }
 
+static int compare_low(const void *a, const void *b)
+{
+    const struct csg_sweep_edge *x = a, *y = b;
+    if (x->low.y != y->low.y)
+        return x->low.y < y->low.y ? -1 : 1;
+    return x->low.x < y->low.x ? -1 : x->low.x > y->low.x;
+}
+
 static int compare_begin(const void *a, const void *b)
 {
     const struct csg_sweep_edge *x = a, *y = b;
@@ -263,8 +306,6 @@ enum csg_sweep_result csg_sweep(struct csg_sweep *sweep, const struct csg_drawin
     if (sweep->edges.num > CSG_SWEEP_MAX_EDGES || !(sweep->size < CSG_SWEEP_MAX_SIZE))
         return CSG_SWEEP_TOO_LARGE;
     const double noise = CSG_SWEEP_NOISE * sweep->size;
-    if (sweep->edges.num)
-        qsort(sweep->edges.data, sweep->edges.num, sizeof *sweep->edges.data, compare_low);
     if (!add_crossings(sweep, noise))
         return result;
     merge_levels(sweep, noise);

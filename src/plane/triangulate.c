@@ -3,20 +3,7 @@
 
 #include <stdlib.h>
 
-/* A corner of a ring. A bridge to a hole has its two corners twice. */
-struct corner {
-    struct csg_vec2 at;
-    uint32_t point; /* of the drawing */
-    uint32_t before, after;
-    bool is_joined; /* to an outer contour, or part of one */
-    bool is_cut;    /* not in a ring any more */
-};
-
-/* A contour by its leftmost corner. */
-struct hole {
-    uint32_t leftmost;
-    double x, y;
-};
+#include "plane/bridges.h"
 
 /* The corners of the ring that is cut by the cells of its box in which they are, about as many
  * cells as corners. */
@@ -28,23 +15,23 @@ struct grid {
 };
 
 struct triangulation {
-    CSG_ARRAY(struct corner) corners;
-    CSG_ARRAY(struct hole) holes;
+    struct csg_corners corners;
     struct grid grid;
     struct csg_triangles *triangles;
 };
 
-static bool is_same(struct csg_vec2 a, struct csg_vec2 b)
+static struct csg_corner *corner_of(const struct triangulation *t, uint32_t i)
 {
-    return a.x == b.x && a.y == b.y;
+    return &t->corners.list.data[i];
 }
 
-/* Above 0 where a, b, c turn to the left. The differences are as good as exact in long double. */
-static long double turn(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2 c)
+static long double turn_at(const struct triangulation *t, uint32_t i)
 {
-    return ((long double)b.x - a.x) * ((long double)c.y - a.y) -
-           ((long double)b.y - a.y) * ((long double)c.x - a.x);
+    const struct csg_corner *c = corner_of(t, i);
+    return csg_turn(corner_of(t, c->before)->at, c->at, corner_of(t, c->after)->at);
 }
+
+/* ---- ears --------------------------------------------------------------------------------- */
 
 /* The corners of the triangle, which turns to the left, and its edges count as inside. */
 static bool is_in_triangle(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2 c,
@@ -54,165 +41,8 @@ static bool is_in_triangle(struct csg_vec2 a, struct csg_vec2 b, struct csg_vec2
     if ((p.x < a.x && p.x < b.x && p.x < c.x) || (p.x > a.x && p.x > b.x && p.x > c.x) ||
         (p.y < a.y && p.y < b.y && p.y < c.y) || (p.y > a.y && p.y > b.y && p.y > c.y))
         return false;
-    return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+    return csg_turn(a, b, p) >= 0 && csg_turn(b, c, p) >= 0 && csg_turn(c, a, p) >= 0;
 }
-
-static struct corner *corner_of(const struct triangulation *t, uint32_t i)
-{
-    return &t->corners.data[i];
-}
-
-static long double turn_at(const struct triangulation *t, uint32_t i)
-{
-    const struct corner *c = corner_of(t, i);
-    return turn(corner_of(t, c->before)->at, c->at, corner_of(t, c->after)->at);
-}
-
-/* ---- rings -------------------------------------------------------------------------------- */
-
-static bool add_ring(struct triangulation *t, const struct csg_drawing *drawing,
-                     const struct csg_contour *contour)
-{
-    const uint32_t num = contour->end - contour->begin, first = (uint32_t)t->corners.num;
-    struct hole hole = {first, INFINITY, 0};
-    double area = 0;
-    for (uint32_t i = 0; i < num; i++) {
-        const struct csg_vec2 at = drawing->points.data[contour->begin + i];
-        const struct csg_vec2 next = drawing->points.data[contour->begin + (i + 1) % num];
-        const struct corner corner = {.at = at,
-                                      .point = contour->begin + i,
-                                      .before = first + (i + num - 1) % num,
-                                      .after = first + (i + 1) % num};
-        if (!csg_array_push(&t->corners, corner))
-            return false;
-        if (at.x < hole.x || (at.x == hole.x && at.y < hole.y))
-            hole = (struct hole){first + i, at.x, at.y};
-        area += at.x * next.y - next.x * at.y;
-    }
-    for (uint32_t i = first; i < t->corners.num && area > 0; i++)
-        corner_of(t, i)->is_joined = true;
-    return area > 0 || csg_array_push(&t->holes, hole);
-}
-
-static int compare_holes(const void *a, const void *b)
-{
-    const struct hole *x = a, *y = b;
-    if (x->x != y->x)
-        return x->x < y->x ? -1 : 1;
-    return x->y < y->y ? -1 : x->y > y->y;
-}
-
-/* The corner that begins the nearest edge to the left of the leftmost corner of a hole, among the
- * rings it may be joined to; UINT32_MAX where there is none. hit: where. */
-static uint32_t find_edge(const struct triangulation *t, uint32_t hole, struct csg_vec2 *hit)
-{
-    const struct csg_vec2 p = corner_of(t, hole)->at;
-    uint32_t best = UINT32_MAX;
-    hit->x = -INFINITY;
-    hit->y = p.y;
-    for (uint32_t i = 0; i < t->corners.num; i++) {
-        const struct csg_vec2 a = corner_of(t, i)->at, b = corner_of(t, corner_of(t, i)->after)->at;
-        /* The inside is to the left of an edge that goes down, where p looks at it. */
-        if (!corner_of(t, i)->is_joined || !(a.y >= p.y && b.y <= p.y && a.y != b.y))
-            continue;
-        const double x = a.x + (p.y - a.y) * (b.x - a.x) / (b.y - a.y);
-        if (x <= p.x && x > hit->x) {
-            hit->x = x;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Whether b lies in the sector of the inside at corner i, as seen from there. */
-static bool is_in_sector(const struct triangulation *t, uint32_t i, struct csg_vec2 b)
-{
-    const struct corner *c = corner_of(t, i);
-    const struct csg_vec2 before = corner_of(t, c->before)->at, after = corner_of(t, c->after)->at;
-    if (turn(before, c->at, after) >= 0)
-        return turn(c->at, b, before) >= 0 && turn(c->at, after, b) >= 0;
-    return !(turn(c->at, b, after) > 0 && turn(c->at, before, b) > 0);
-}
-
-/* A corner at the very place of a hole's leftmost one that has the hole in its sector. */
-static uint32_t find_touching(const struct triangulation *t, uint32_t hole)
-{
-    const struct csg_vec2 next = corner_of(t, corner_of(t, hole)->after)->at;
-    for (uint32_t i = 0; i < t->corners.num; i++)
-        if (corner_of(t, i)->is_joined && is_same(corner_of(t, i)->at, corner_of(t, hole)->at) &&
-            is_in_sector(t, i, next))
-            return i;
-    return UINT32_MAX;
-}
-
-/*
- * A corner that the leftmost corner of a hole sees: the left end of the nearest edge, or else the
- * corner in the triangle between them that is seen under the least angle. All of it is left of the
- * hole, none of whose corners can be in the way (Eberly, Triangulation by ear clipping, 2002).
- */
-static uint32_t find_bridge(const struct triangulation *t, uint32_t hole)
-{
-    const struct csg_vec2 p = corner_of(t, hole)->at;
-    struct csg_vec2 hit;
-    const uint32_t edge = find_edge(t, hole, &hit);
-    if (edge == UINT32_MAX)
-        return edge;
-    const uint32_t other = corner_of(t, edge)->after;
-    uint32_t best = corner_of(t, edge)->at.x < corner_of(t, other)->at.x ? edge : other;
-    const struct csg_vec2 end = corner_of(t, best)->at;
-    double slope = INFINITY, near = -INFINITY;
-    for (uint32_t i = 0; i < t->corners.num; i++) {
-        const struct csg_vec2 q = corner_of(t, i)->at;
-        const bool is_in =
-            end.y < p.y ? is_in_triangle(p, hit, end, q) : is_in_triangle(p, end, hit, q);
-        if (!corner_of(t, i)->is_joined || !is_in || q.x >= p.x || !is_in_sector(t, i, p))
-            continue;
-        const double angle = fabs(p.y - q.y) / (p.x - q.x);
-        if (angle < slope || (angle == slope && q.x > near)) {
-            slope = angle;
-            near = q.x;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Cuts both rings open at a and b and joins the ends. */
-static bool join_rings(struct triangulation *t, uint32_t a, uint32_t b)
-{
-    const uint32_t a2 = (uint32_t)t->corners.num, b2 = a2 + 1;
-    if (!csg_array_push(&t->corners, *corner_of(t, a)) ||
-        !csg_array_push(&t->corners, *corner_of(t, b)))
-        return false;
-    const uint32_t a_after = corner_of(t, a)->after, b_before = corner_of(t, b)->before;
-    corner_of(t, a)->after = b;
-    corner_of(t, b)->before = a;
-    corner_of(t, a2)->after = a_after;
-    corner_of(t, a_after)->before = a2;
-    corner_of(t, b2)->after = a2;
-    corner_of(t, a2)->before = b2;
-    corner_of(t, b2)->before = b_before;
-    corner_of(t, b_before)->after = b2;
-    return true;
-}
-
-/* A hole sees only what is left of it, so those further left are joined first. */
-static bool join_holes(struct triangulation *t)
-{
-    bool ok = true;
-    if (t->holes.num)
-        qsort(t->holes.data, t->holes.num, sizeof *t->holes.data, compare_holes);
-    for (size_t i = 0; i < t->holes.num && ok; i++) {
-        const uint32_t hole = t->holes.data[i].leftmost, touching = find_touching(t, hole);
-        const uint32_t bridge = touching == UINT32_MAX ? find_bridge(t, hole) : touching;
-        for (uint32_t k = hole; !corner_of(t, k)->is_joined; k = corner_of(t, k)->after)
-            corner_of(t, k)->is_joined = true;
-        ok = bridge == UINT32_MAX || join_rings(t, bridge, hole);
-    }
-    return ok;
-}
-
-/* ---- ears --------------------------------------------------------------------------------- */
 
 /* Whether the ring goes into the triangle's angle at a, between b and c, where its corner k is. */
 static bool goes_into(const struct triangulation *t, uint32_t k, struct csg_vec2 a,
@@ -220,8 +50,8 @@ static bool goes_into(const struct triangulation *t, uint32_t k, struct csg_vec2
 {
     const struct csg_vec2 next = corner_of(t, corner_of(t, k)->after)->at;
     const struct csg_vec2 last = corner_of(t, corner_of(t, k)->before)->at;
-    return (turn(a, b, next) > 0 && turn(a, next, c) > 0) ||
-           (turn(a, b, last) > 0 && turn(a, last, c) > 0);
+    return (csg_turn(a, b, next) > 0 && csg_turn(a, next, c) > 0) ||
+           (csg_turn(a, b, last) > 0 && csg_turn(a, last, c) > 0);
 }
 
 /* Whether corner k of the ring keeps the triangle from being an ear. */
@@ -229,11 +59,11 @@ static bool is_in_the_way(const struct triangulation *t, uint32_t k, struct csg_
                           struct csg_vec2 b, struct csg_vec2 c)
 {
     const struct csg_vec2 p = corner_of(t, k)->at;
-    if (is_same(p, a))
+    if (csg_is_same_place(p, a))
         return goes_into(t, k, a, b, c);
-    if (is_same(p, b))
+    if (csg_is_same_place(p, b))
         return goes_into(t, k, b, c, a);
-    if (is_same(p, c))
+    if (csg_is_same_place(p, c))
         return goes_into(t, k, c, a, b);
     return is_in_triangle(a, b, c, p) && turn_at(t, k) <= 0;
 }
@@ -300,8 +130,8 @@ static bool fill_grid(struct triangulation *t, uint32_t first, uint32_t num)
 static bool is_row_in_the_way(const struct triangulation *t, uint32_t begin, uint32_t end,
                               uint32_t i)
 {
-    const struct corner *b = corner_of(t, i);
-    const struct corner *a = corner_of(t, b->before), *c = corner_of(t, b->after);
+    const struct csg_corner *b = corner_of(t, i);
+    const struct csg_corner *a = corner_of(t, b->before), *c = corner_of(t, b->after);
     for (uint32_t k = t->grid.first.data[begin]; k < t->grid.first.data[end]; k++) {
         const uint32_t other = t->grid.list.data[k];
         const bool is_own = other == i || other == b->before || other == b->after;
@@ -313,9 +143,9 @@ static bool is_row_in_the_way(const struct triangulation *t, uint32_t begin, uin
 
 static bool is_ear(const struct triangulation *t, uint32_t i)
 {
-    const struct corner *b = corner_of(t, i);
-    const struct corner *a = corner_of(t, b->before), *c = corner_of(t, b->after);
-    const long double angle = turn(a->at, b->at, c->at);
+    const struct csg_corner *b = corner_of(t, i);
+    const struct csg_corner *a = corner_of(t, b->before), *c = corner_of(t, b->after);
+    const long double angle = csg_turn(a->at, b->at, c->at);
     if (angle <= 0)
         return angle == 0; /* a corner that is straight or a spike goes at once */
     const struct grid *grid = &t->grid;
@@ -330,7 +160,7 @@ static bool is_ear(const struct triangulation *t, uint32_t i)
 
 static bool cut_corner(struct triangulation *t, uint32_t i)
 {
-    struct corner *b = corner_of(t, i);
+    struct csg_corner *b = corner_of(t, i);
     const uint32_t points[3] = {corner_of(t, b->before)->point, b->point,
                                 corner_of(t, b->after)->point};
     corner_of(t, b->before)->after = b->after;
@@ -371,7 +201,7 @@ struct walk {
  */
 static bool cut_ear(struct triangulation *t, struct walk *walk)
 {
-    const struct corner b = *corner_of(t, walk->at);
+    const struct csg_corner b = *corner_of(t, walk->at);
     const bool ok = cut_corner(t, walk->at);
     walk->at = walk->is_scarce ? b.before : corner_of(t, b.after)->after;
     walk->num--;
@@ -419,16 +249,11 @@ bool csg_figure_triangulate(const struct csg_drawing *drawing, const struct csg_
                             struct csg_triangles *triangles)
 {
     struct triangulation t = {.triangles = triangles};
-    bool ok = true;
-    for (uint32_t i = figure->begin; i < figure->end && ok; i++)
-        if (drawing->contours.data[i].end - drawing->contours.data[i].begin >= 3)
-            ok = add_ring(&t, drawing, &drawing->contours.data[i]);
-    ok = ok && join_holes(&t);
-    for (uint32_t i = 0; i < t.corners.num && ok; i++)
+    bool ok = csg_corners_of_figure(drawing, figure, &t.corners);
+    for (uint32_t i = 0; i < t.corners.list.num && ok; i++)
         if (!corner_of(&t, i)->is_cut)
             ok = cut_ring(&t, i);
-    free(t.corners.data);
-    free(t.holes.data);
+    free(t.corners.list.data);
     free(t.grid.first.data);
     free(t.grid.list.data);
     return ok;

@@ -4,8 +4,7 @@
 
 /*
  * Triangles of a figure whose contours do not cross and have the inside to their left, by cutting
- * off ears (Meisters 1975) after each hole was joined to what is around it (Eberly, Triangulation
- * by Ear Clipping, 2002). The triangles have the figure's corners and no others and meet edge to
+ * off ears (Meisters 1975) after each hole was joined to what is around it. The triangles have the figure's corners and no others and meet edge to
  * edge, so the figure can be the cap of a closed mesh.
  */
 
@@ -16,8 +15,7 @@ struct csg_triangles {
 };
 
 /* The time grows with the square of the corners where triangles are long (a spiral of 200,000 takes
- * 10 s, a wave of 10^6 one), and with their number times that of the holes: figures with more
- * should be refused. */
+ * 10 s, a wave of 10^6 one): figures with more should be refused. */
 #define CSG_TRIANGULATE_MAX_CORNERS 2000000
 
 /* Appends the figure's triangles. false: out of memory. */

@@ -198,37 +198,52 @@ static void add_winding(struct csg_drawing *drawing, int num, int i, double inwa
         abort();
 }
 
-/* A strip that winds about 160 times: of 100,000 corners those that are ears are soon cut, and then
- * only the strip's ends are. A round for each of them would take a hundred times as long. */
-static void test_winding(void)
+/* Processor time. No triangle looks down, and together they are as large as the figure, which has so
+ * many holes. */
+static double seconds_of_triangles(const struct csg_drawing *drawing, size_t num_holes, double area)
 {
-    const int num = 50000;
-    struct csg_drawing drawing = {0};
     struct csg_triangles triangles = {0};
+    const clock_t start = clock();
+    CHECK(csg_figure_triangulate(drawing, drawing->figures.data, &triangles), "no memory");
+    const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    CHECK(triangles.corners.num == 3 * (drawing->points.num + 2 * num_holes - 2), "%zu corners",
+          triangles.corners.num);
+    double sum = 0, least = 0;
+    for (size_t i = 0; i < triangles.corners.num; i += 3) {
+        const struct csg_vec2 a = drawing->points.data[triangles.corners.data[i]];
+        const struct csg_vec2 b = drawing->points.data[triangles.corners.data[i + 1]];
+        const struct csg_vec2 c = drawing->points.data[triangles.corners.data[i + 2]];
+        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        sum += 0.5 * twice;
+        least = fmin(least, twice);
+    }
+    CHECK(least == 0 && fabs(sum - area) < 1e-9 * area, "triangles of %g, figure %g; %g", sum, area,
+          least);
+    free(triangles.corners.data);
+    return seconds;
+}
+
+static double seconds_of_winding(int num)
+{
+    struct csg_drawing drawing = {0};
     if (!csg_drawing_add_figure(&drawing, 0) || !csg_drawing_add_contour(&drawing))
         abort();
     for (int i = 0; i < num; i++)
         add_winding(&drawing, num, i, 0);
     for (int i = num; i-- > 0;)
         add_winding(&drawing, num, i, 3);
-    const clock_t start = clock();
-    CHECK(csg_figure_triangulate(&drawing, drawing.figures.data, &triangles), "no memory");
-    const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    CHECK(triangles.corners.num == 3 * (2 * (size_t)num - 2), "%zu corners", triangles.corners.num);
-    double sum = 0;
-    for (size_t i = 0; i < triangles.corners.num; i += 3) {
-        const struct csg_vec2 a = drawing.points.data[triangles.corners.data[i]];
-        const struct csg_vec2 b = drawing.points.data[triangles.corners.data[i + 1]];
-        const struct csg_vec2 c = drawing.points.data[triangles.corners.data[i + 2]];
-        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        CHECK(twice > 0, "triangle %zu looks down: %g", i / 3, twice);
-        sum += 0.5 * twice;
-    }
     const double area = 0.5 * csg_contour_twice_area(&drawing, drawing.contours.data);
-    CHECK(fabs(sum - area) < 1e-9 * area, "triangles of %g, outline %g", sum, area);
-    CHECK(seconds < 2, "%g s", seconds);
-    free(triangles.corners.data);
+    const double seconds = seconds_of_triangles(&drawing, 0, area);
     csg_drawing_finish(&drawing);
+    return seconds;
+}
+
+/* A strip that winds about 160 times: of 100,000 corners those that are ears are soon cut, and then
+ * only the strip's ends are. A round for each of them would take a hundred times as long. */
+static void test_winding(void)
+{
+    const double part = seconds_of_winding(12500), all = seconds_of_winding(50000);
+    CHECK(all < 10 * part, "%g s, a quarter %g s", all, part);
 }
 
 static void add_points(struct csg_drawing *drawing, const double (*points)[2], int num)
@@ -240,6 +255,50 @@ static void add_points(struct csg_drawing *drawing, const double (*points)[2], i
     for (int i = 0; i < num; i++)
         if (!csg_drawing_add_point(drawing, points[i][0], points[i][1]))
             abort();
+}
+
+/* Columns and rows of six-cornered holes, each 6 wide and 10 from the next; or diamonds that touch
+ * their neighbours. */
+static double seconds_of_holes(int columns, int rows, bool touching)
+{
+    struct csg_drawing drawing = {0};
+    const double width = 10 * columns, height = 10 * rows;
+    const double plate[4][2] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    const double hexagon[6][2] = {{2, 5}, {3.5, 7.5}, {6.5, 7.5}, {8, 5}, {6.5, 2.5}, {3.5, 2.5}};
+    const double diamond[4][2] = {{0, 5}, {5, 10}, {10, 5}, {5, 0}};
+    const int num = touching ? 4 : 6;
+    double hole[6][2];
+    add_points(&drawing, plate, 4);
+    for (int i = 0; i < columns * rows; i++) {
+        for (int k = 0; k < num; k++) {
+            const double *p = touching ? diamond[k] : hexagon[k];
+            hole[k][0] = p[0] + 10 * (i % columns);
+            hole[k][1] = p[1] + 10 * (i / columns);
+        }
+        add_points(&drawing, (const double(*)[2])hole, num);
+    }
+    double area = 0;
+    for (uint32_t i = 0; i < drawing.contours.num; i++)
+        area += 0.5 * csg_contour_twice_area(&drawing, &drawing.contours.data[i]);
+    const size_t num_holes = (size_t)(columns * rows);
+    const double seconds = seconds_of_triangles(&drawing, num_holes, area);
+    csg_drawing_finish(&drawing);
+    return seconds;
+}
+
+/* Each hole is joined to a near one, in whatever way they lie. Looking at all corners for each of
+ * them would take 16 times as long for four times as many. */
+static void test_holes(void)
+{
+    seconds_of_holes(13, 17, false);
+    seconds_of_holes(1, 1, true);
+    seconds_of_holes(3, 5, true);
+    for (int i = 0; i < 2; i++) {
+        const int num = 2500, all = 4 * num;
+        const double part = i ? seconds_of_holes(num, 1, false) : seconds_of_holes(1, num, false);
+        const double whole = i ? seconds_of_holes(all, 1, false) : seconds_of_holes(1, all, false);
+        CHECK(whole < 10 * part, "%g s, a quarter %g s", whole, part);
+    }
 }
 
 static void check_pieces(const double (*points)[2], int num, size_t num_pieces, const char *name)
@@ -325,6 +384,7 @@ int main(void)
 {
     test_random();
     test_winding();
+    test_holes();
     test_pieces();
     test_offset();
     test_hull();
