@@ -198,8 +198,22 @@ bool csg_cell_split(const struct csg_cell *cell, const struct csg_plane *plane, 
     return ok;
 }
 
-/* Keeps what is below the plane; an empty cell has no faces. false: out of memory. */
-static bool clip(struct csg_cell *cell, const struct csg_plane *plane, double near)
+bool csg_cell_add_face(struct csg_cell *cell, const struct csg_plane *plane,
+                       const struct csg_vec3 *points, size_t num, double near)
+{
+    struct cap cap = {0};
+    bool ok = true;
+    for (size_t i = 0; i < num && ok; i++)
+        ok = csg_array_push(&cap.points, ((struct cap_point){0, points[i]}));
+    if (ok) {
+        sort_cap(&cap, plane);
+        ok = add_cap(cell, &cap, *plane, false, near);
+    }
+    free(cap.points.data);
+    return ok;
+}
+
+bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double near)
 {
     struct csg_cell below = {0}, above = {0};
     double lo, hi;
@@ -241,6 +255,6 @@ bool csg_cell_from_shape(struct csg_cell *cell, const struct csg_shape *shape)
     box.hi = csg_add(box.hi, csg_scale(0.5, size));
     bool ok = csg_cell_from_box(cell, &box);
     for (size_t i = 0; i < shape->num_planes && ok; i++)
-        ok = clip(cell, &shape->planes[i], near);
+        ok = csg_cell_clip(cell, &shape->planes[i], near);
     return ok;
 }

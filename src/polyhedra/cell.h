@@ -39,6 +39,14 @@ void csg_cell_range(const struct csg_cell *cell, const struct csg_plane *plane, 
 bool csg_cell_split(const struct csg_cell *cell, const struct csg_plane *plane, double near,
                     struct csg_cell *below, struct csg_cell *above);
 
+/* Keeps what is below the plane; an empty cell has no faces. false: out of memory. */
+bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double near);
+
+/* Adds the face on the plane that has these corners, in any order and perhaps several times; none
+ * where they are fewer than three. false: out of memory. */
+bool csg_cell_add_face(struct csg_cell *cell, const struct csg_plane *plane,
+                       const struct csg_vec3 *points, size_t num, double near);
+
 /* The cell of a bounded shape without a quadric. false: out of memory. */
 bool csg_cell_from_shape(struct csg_cell *cell, const struct csg_shape *shape);
 

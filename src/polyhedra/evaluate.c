@@ -147,13 +147,33 @@ static bool cut_cell(struct evaluator *evaluator, struct csg_cell *cell,
     return ok;
 }
 
+/* What of the shape is in the cell: for a shape of many planes, since each cut takes the time of
+ * all faces that there are by then. */
+static bool cut_shape(struct evaluator *evaluator, struct csg_cell *cell,
+                      const struct csg_shape *shape, struct cells *out)
+{
+    struct csg_cell cut = {0};
+    bool ok = csg_shape_cell(shape, &cut) != CSG_HULL_NO_MEMORY;
+    for (size_t i = 0; i < cell->faces.num && ok; i++)
+        ok = csg_cell_clip(&cut, &cell->faces.data[i].plane, evaluator->near);
+    csg_cell_finish(cell);
+    evaluator->num_cells++;
+    return push_cell(out, &cut) && ok;
+}
+
 static bool cut_cells(struct evaluator *evaluator, struct cells *in, const struct csg_node *leaf,
                       struct cells *out)
 {
     const struct csg_shape *shape = &evaluator->part->shapes.data[leaf->leaf];
     bool ok = true;
-    for (size_t i = 0; i < in->list.num; i++)
-        ok = cut_cell(evaluator, &in->list.data[i], shape, leaf->negated, out) && ok;
+    for (size_t i = 0; i < in->list.num; i++) {
+        struct csg_cell *cell = &in->list.data[i];
+        if (!leaf->negated && shape->num_planes > CSG_HULL_MAX_CUT_PLANES &&
+            shape->num_planes > cell->faces.num)
+            ok = cut_shape(evaluator, cell, shape, out) && ok;
+        else
+            ok = cut_cell(evaluator, cell, shape, leaf->negated, out) && ok;
+    }
     in->list.num = 0;
     finish_cells(in);
     return ok;
@@ -230,26 +250,36 @@ static bool start(struct evaluator *evaluator)
     return false;
 }
 
-/* Each corner belongs to three faces and more. */
-static bool has_corner(const struct csg_clusters *clusters, size_t begin, struct csg_vec3 p,
-                       double near)
+static int compare_x(const void *a, const void *b)
 {
-    for (size_t i = begin; i < clusters->corners.points.num; i++)
-        if (csg_length(csg_sub(clusters->corners.points.data[i], p)) <= near)
+    const struct csg_vec3 *p = a, *q = b;
+    return p->x < q->x ? -1 : p->x > q->x;
+}
+
+static bool has_corner(const struct csg_vec3 *corners, size_t num, struct csg_vec3 p, double near)
+{
+    for (size_t i = num; i > 0 && p.x - corners[i - 1].x <= near; i--)
+        if (csg_length(csg_sub(corners[i - 1], p)) <= near)
             return true;
     return false;
 }
 
+/* Each corner belongs to three faces and more. */
 static bool add_cluster(struct csg_clusters *clusters, const struct csg_cell *cell, double near)
 {
     const size_t begin = clusters->corners.points.num;
     bool ok = true;
     for (size_t i = 0; i < cell->faces.num && ok; i++)
-        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++) {
-            const struct csg_vec3 p = cell->faces.data[i].points.data[j];
-            ok = has_corner(clusters, begin, p, near) ||
-                 csg_array_push(&clusters->corners.points, p);
-        }
+        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++)
+            ok = csg_array_push(&clusters->corners.points, cell->faces.data[i].points.data[j]);
+    struct csg_vec3 *corners = &clusters->corners.points.data[begin];
+    const size_t num = clusters->corners.points.num - begin;
+    size_t kept = 0;
+    qsort(corners, num, sizeof *corners, compare_x);
+    for (size_t i = 0; i < num; i++)
+        if (!has_corner(corners, kept, corners[i], near))
+            corners[kept++] = corners[i];
+    clusters->corners.points.num = begin + kept;
     return ok && csg_array_push(&clusters->ends, clusters->corners.points.num);
 }
 

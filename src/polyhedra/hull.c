@@ -5,27 +5,28 @@
 #include <stdlib.h>
 
 #include "mesh/surface.h"
-#include "polyhedra/cell.h"
-
-/* Shapes of up to so many planes are cut out of a box, which takes the square of their number. */
-enum { max_cut_planes = 64 };
 
 #ifdef CSGCAST_QHULL
 
 #include <libqhull_r/libqhull_r.h>
 
 /* Called for each facet: its unit normal points outwards, dot(normal, x) + offset = 0 on it. */
-typedef bool facet_fn(void *user, const double normal[3], double offset);
+typedef bool facet_fn(void *user, qhT *qh, const facetT *facet);
 
 static bool visit_facets(qhT *qh, facet_fn *fn, void *user)
 {
     const facetT *facet;
     FORALLfacets
     {
-        if (!fn(user, facet->normal, facet->offset))
+        if (!fn(user, qh, facet))
             return false;
     }
     return true;
+}
+
+static struct csg_vec3 normal_of(const facetT *facet)
+{
+    return csg_vec3(facet->normal[0], facet->normal[1], facet->normal[2]);
 }
 
 /* Qhull takes any number for a coordinate, but only these are safe. */
@@ -86,12 +87,12 @@ struct hull {
 };
 
 /* Relative to the middle of the points. Qhull has merged the facets that lie on one plane. */
-static bool add_facet(void *user, const double normal[3], double offset)
+static bool add_facet(void *user, qhT *qh, const facetT *facet)
 {
     const struct hull *hull = user;
-    struct csg_plane plane = {csg_vec3(normal[0], normal[1], normal[2]), 0};
-    plane.offset = -offset + csg_dot(plane.normal, hull->center);
-    return csg_shape_add_plane(hull->shape, plane.normal, plane.offset);
+    const struct csg_vec3 normal = normal_of(facet);
+    (void)qh;
+    return csg_shape_add_plane(hull->shape, normal, -facet->offset + csg_dot(normal, hull->center));
 }
 
 enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points)
@@ -117,38 +118,68 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
 /* ---- corners ------------------------------------------------------------------------------ */
 
 struct dual {
-    struct csg_points *points;
     struct csg_vec3 center;
+    struct csg_points *corners; /* of the shape, */
+    struct csg_points *faces;   /* or of each of its planes */
 };
 
 /* A facet n.q = -offset of the dual points is the corner center - n / offset. */
-static bool add_dual(void *user, const double normal[3], double offset)
+static struct csg_vec3 corner_of(const struct dual *dual, const facetT *facet)
 {
-    struct dual *dual = user;
-    const struct csg_vec3 n = csg_vec3(normal[0], normal[1], normal[2]);
-    return csg_array_push(&dual->points->points, csg_sub(dual->center, csg_scale(1 / offset, n)));
+    return csg_sub(dual->center, csg_scale(1 / facet->offset, normal_of(facet)));
+}
+
+static bool add_corner(void *user, qhT *qh, const facetT *facet)
+{
+    const struct dual *dual = user;
+    (void)qh;
+    return csg_array_push(&dual->corners->points, corner_of(dual, facet));
+}
+
+/* The facet's corners are the planes that meet at this one. */
+static bool add_to_faces(void *user, qhT *qh, const facetT *facet)
+{
+    const struct dual *dual = user;
+    const struct csg_vec3 corner = corner_of(dual, facet);
+    vertexT *vertex, **vertexp;
+    FOREACHvertex_(facet->vertices)
+    {
+        if (!csg_array_push(&dual->faces[qh_pointid(qh, vertex->point)].points, corner))
+            return false;
+    }
+    return true;
 }
 
 /* Planes n.x = d, seen from a point inside, are dual to the points n / d, and their hull's facets
  * to the corners. */
-static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct csg_points *points)
+static enum csg_hull_result run_dual(const struct csg_shape *shape, facet_fn *fn, struct dual *dual)
 {
     const struct csg_vec3 middle = csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi));
-    struct dual dual = {points, csg_map_point(&shape->frame, middle)};
     struct csg_points normals = {0};
     enum csg_hull_result result = CSG_HULL_DONE;
+    dual->center = csg_map_point(&shape->frame, middle);
     for (size_t i = 0; i < shape->num_planes && result == CSG_HULL_DONE; i++) {
         const struct csg_plane *plane = &shape->planes[i];
-        const double d = plane->offset - csg_dot(plane->normal, dual.center);
+        const double d = plane->offset - csg_dot(plane->normal, dual->center);
         if (!(d > 0))
             result = CSG_HULL_FLAT; /* the middle is not inside */
         else if (!csg_array_push(&normals.points, csg_scale(1 / d, plane->normal)))
             result = CSG_HULL_NO_MEMORY;
     }
     if (result == CSG_HULL_DONE)
-        result = run(&normals, add_dual, &dual);
+        result = run(&normals, fn, dual);
     free(normals.points.data);
     return result;
+}
+
+static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct csg_points *points)
+{
+    return run_dual(shape, add_corner, &(struct dual){.corners = points});
+}
+
+static enum csg_hull_result dual_faces(const struct csg_shape *shape, struct csg_points *faces)
+{
+    return run_dual(shape, add_to_faces, &(struct dual){.faces = faces});
 }
 
 #else
@@ -164,6 +195,13 @@ static enum csg_hull_result dual_corners(const struct csg_shape *shape, struct c
 {
     (void)shape;
     (void)points;
+    return CSG_HULL_FLAT;
+}
+
+static enum csg_hull_result dual_faces(const struct csg_shape *shape, struct csg_points *faces)
+{
+    (void)shape;
+    (void)faces;
     return CSG_HULL_FLAT;
 }
 
@@ -193,10 +231,40 @@ enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg
 {
     if (shape->surface)
         return surface_points(shape, points);
-    if (shape->num_planes > max_cut_planes) {
+    if (shape->num_planes > CSG_HULL_MAX_CUT_PLANES) {
         const enum csg_hull_result result = dual_corners(shape, points);
         if (result != CSG_HULL_FLAT)
             return result;
     }
     return cut_corners(shape, points);
+}
+
+/* A plane that has none of the corners has no face. */
+static bool add_faces(const struct csg_shape *shape, const struct csg_points *faces,
+                      struct csg_cell *cell)
+{
+    const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+    const double near = 1e-12 * (csg_length(box.lo) + csg_length(box.hi));
+    bool ok = true;
+    for (size_t i = 0; i < shape->num_planes && ok; i++)
+        ok = csg_cell_add_face(cell, &shape->planes[i], faces[i].points.data, faces[i].points.num,
+                               near);
+    return ok;
+}
+
+enum csg_hull_result csg_shape_cell(const struct csg_shape *shape, struct csg_cell *cell)
+{
+    const bool is_large = shape->num_planes > CSG_HULL_MAX_CUT_PLANES;
+    struct csg_points *faces = is_large ? calloc(shape->num_planes, sizeof *faces) : NULL;
+    enum csg_hull_result result = faces      ? dual_faces(shape, faces)
+                                  : is_large ? CSG_HULL_NO_MEMORY
+                                             : CSG_HULL_FLAT;
+    if (result == CSG_HULL_DONE && !add_faces(shape, faces, cell))
+        result = CSG_HULL_NO_MEMORY;
+    for (size_t i = 0; i < shape->num_planes && faces; i++)
+        free(faces[i].points.data);
+    free(faces);
+    if (result == CSG_HULL_FLAT)
+        result = csg_cell_from_shape(cell, shape) ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
+    return result;
 }

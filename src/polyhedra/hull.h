@@ -5,7 +5,11 @@
 /* Convex hulls by Qhull (Barber, Dobkin, Huhdanpaa 1996), where it was there to build with. */
 
 #include "common/array.h"
+#include "polyhedra/cell.h"
 #include "solids/shape.h"
+
+/* Shapes of up to so many planes are cut out of a box, which takes the square of their number. */
+#define CSG_HULL_MAX_CUT_PLANES 64
 
 struct csg_points {
     CSG_ARRAY(struct csg_vec3) points;
@@ -26,5 +30,8 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
  * planes needs Qhull and is refused without it.
  */
 enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg_points *points);
+
+/* The cell, which is zeroed, of such a shape, as csg_cell_from_shape makes it. */
+enum csg_hull_result csg_shape_cell(const struct csg_shape *shape, struct csg_cell *cell);
 
 #endif

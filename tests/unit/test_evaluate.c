@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A plate less a winding row of boxes as convex sets: a point is in one of them where it is in the
- * plate and in none of the boxes, never in two, and there are few sets, each with few corners.
+ * plate and in none of the boxes, never in two, and there are few sets, each with few corners. So
+ * is a ball of many planes in a box, in both orders, less a part of it.
  */
 #define DICE_SEED 5
 
@@ -11,7 +12,7 @@
 #include "dice.h"
 #include "polyhedra/evaluate.h"
 
-enum { num_boxes = 60, num_points = 4000, max_sets = 6 * num_boxes };
+enum { num_boxes = 60, num_points = 4000, max_sets = 6 * num_boxes, num_tangents = 2000 };
 
 static struct csg_shape box_shape(const struct csg_map *map)
 {
@@ -80,35 +81,89 @@ static void fill_sets(const struct csg_clusters *clusters, struct csg_shape *set
 static void check_point(const struct csg_part *part, const struct csg_shape *sets, size_t num,
                         struct csg_vec3 p)
 {
-    bool expected = is_in(&part->shapes.data[0], p);
+    bool expected = true;
     int found = 0;
-    for (size_t i = 1; i < part->shapes.num; i++)
-        expected = expected && !is_in(&part->shapes.data[i], p);
+    for (size_t i = 1; i < part->tree.num; i++) {
+        const struct csg_node *leaf = &part->tree.data[i];
+        expected = expected && is_in(&part->shapes.data[leaf->leaf], p) != leaf->negated;
+    }
     for (size_t i = 0; i < num; i++)
         found += is_in(&sets[i], p);
     CHECK(found == expected, "[%g, %g, %g] is in %d sets", p.x, p.y, p.z, found);
 }
 
-int main(void)
+/* size: of the box that the points are taken from. */
+static void check_part(const struct csg_part *part, struct csg_vec3 size, size_t max_corners)
 {
-    struct csg_part part = {0};
     struct csg_clusters clusters = {0};
     static struct csg_shape sets[max_sets];
-    make_part(&part);
-    CHECK(csg_part_evaluate(&part, false, &clusters) == CSG_HULL_DONE, "evaluated");
+    CHECK(csg_part_evaluate(part, false, &clusters) == CSG_HULL_DONE, "evaluated");
     const size_t num = clusters.ends.num;
-    CHECK(num <= max_sets, "%zu sets", num);
-    CHECK(clusters.corners.points.num <= 12 * num, "%zu corners", clusters.corners.points.num);
-    if (num > max_sets)
-        return 1;
-    fill_sets(&clusters, sets);
-    for (int i = 0; i < num_points; i++)
-        check_point(
-            &part, sets, clusters.ends.num,
-            csg_vec3(random_between(-41, 41), random_between(-21, 21), random_between(-1.1, 1.1)));
-    for (size_t i = 0; i < num; i++)
+    CHECK(num > 0 && num <= max_sets, "%zu sets", num);
+    CHECK(clusters.corners.points.num <= max_corners * num, "%zu corners",
+          clusters.corners.points.num);
+    if (num <= max_sets)
+        fill_sets(&clusters, sets);
+    for (int i = 0; i < num_points && num <= max_sets; i++)
+        check_point(part, sets, num,
+                    csg_vec3(random_between(-size.x, size.x), random_between(-size.y, size.y),
+                             random_between(-size.z, size.z)));
+    for (size_t i = 0; i < num && num <= max_sets; i++)
         csg_shape_finish(&sets[i]);
     csg_clusters_finish(&clusters);
+}
+
+static void check_plate(void)
+{
+    struct csg_part part = {0};
+    make_part(&part);
+    check_part(&part, csg_vec3(41, 21, 1.1), 12);
     csg_part_finish(&part);
+}
+
+/* ---- a ball --------------------------------------------------------------------------------- */
+
+/* Of planes that touch a sphere about center, all over it (a spiral from pole to pole). */
+static struct csg_shape ball_shape(struct csg_vec3 center)
+{
+    struct csg_shape shape = {.frame = csg_map_identity, .convex = true};
+    for (int i = 0; i < num_tangents; i++) {
+        const double z = (2 * i + 1.0) / num_tangents - 1, r = sqrt(1 - z * z), a = 2.4 * i;
+        const struct csg_vec3 n = csg_vec3(r * cos(a), r * sin(a), z);
+        CHECK(csg_shape_add_plane(&shape, n, 1 + csg_dot(n, center)), "memory");
+    }
+    const struct csg_vec3 most = csg_vec3(1.1, 1.1, 1.1);
+    shape.bounds = shape.written = (struct csg_box){csg_sub(center, most), csg_add(center, most)};
+    return shape;
+}
+
+static struct csg_shape placed_box(double x, double y, double z)
+{
+    struct csg_map map = csg_map_identity;
+    map.m[0][3] = x;
+    map.m[1][3] = y;
+    map.m[2][3] = z;
+    return box_shape(&map);
+}
+
+static void check_ball(bool is_first)
+{
+    struct csg_part part = {0};
+    struct csg_shape ball = ball_shape(csg_vec3(0.3, -0.2, 0.1)), box = placed_box(0.5, 0.4, 0.9);
+    struct csg_shape cutter = placed_box(1.2, 0, 1.3);
+    CHECK(csg_part_open(&part, true) && csg_part_add(&part, is_first ? &ball : &box, false) &&
+              csg_part_add(&part, is_first ? &box : &ball, false) &&
+              csg_part_add(&part, &cutter, true),
+          "memory");
+    csg_part_close(&part);
+    check_part(&part, csg_vec3(1.6, 1.6, 1.6), 2 * num_tangents);
+    csg_part_finish(&part);
+}
+
+int main(void)
+{
+    check_plate();
+    check_ball(true);
+    check_ball(false);
     return num_failed != 0;
 }
