@@ -80,6 +80,15 @@ void csg_drawing_drop(struct csg_drawing *drawing, uint32_t node)
     drawing->figures.num = first;
 }
 
+uint32_t csg_drawing_only(const struct csg_drawing *drawing, uint32_t node)
+{
+    const struct csg_draw_node *nodes = drawing->nodes.data;
+    const uint32_t end = nodes[node].end;
+    while (nodes[node].op != CSG_DRAW_FIGURE && node + 1 < end && nodes[node + 1].end == end)
+        node++;
+    return node;
+}
+
 double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end)
 {
     double rounding = 0;

@@ -82,6 +82,9 @@ static inline void csg_drawing_cut(struct csg_drawing *drawing, uint32_t node)
 /* Takes the last subtree, at node, away with its figures: those from its first one on. */
 void csg_drawing_drop(struct csg_drawing *drawing, uint32_t node);
 
+/* The node that all of the subtree at node is: the only child of only children. */
+uint32_t csg_drawing_only(const struct csg_drawing *drawing, uint32_t node);
+
 /* The largest rounding of the figures in nodes [begin, end). */
 double csg_drawing_rounding(const struct csg_drawing *drawing, uint32_t begin, uint32_t end);
 

@@ -261,10 +261,7 @@ static bool trace(struct tracer *tracer, struct csg_drawing *drawing, double rou
 static bool is_outline(struct csg_drawing *drawing, uint32_t node)
 {
     const struct csg_draw_node *nodes = drawing->nodes.data;
-    const uint32_t end = nodes[node].end;
-    uint32_t i = node;
-    while (nodes[i].op != CSG_DRAW_FIGURE && i + 1 < end && nodes[i + 1].end == end)
-        i++;
+    const uint32_t i = csg_drawing_only(drawing, node);
     if (nodes[i].op != CSG_DRAW_FIGURE || !drawing->figures.data[nodes[i].figure].is_outline)
         return false;
     drawing->nodes.data[node] = nodes[i];

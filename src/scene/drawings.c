@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "plane/convex.h"
 #include "scene/clip.h"
 #include "scene/figures.h"
 #include "scene/transforms.h"
@@ -152,7 +153,7 @@ static bool close_node(struct reader *reader)
     if (reader->clips && (reader->frames.num == 0 || !ops->flatten))
         return clip_node(reader, &frame);
     if (reader->frames.num == 0 || !ops->flatten)
-        return true;
+        return csg_drawing_intersect(reader->drawing, frame.draw) || no_memory(reader);
     struct csg_args args;
     return csg_walk_args(reader->walk, frame.node, ops->name, ops->parameters, &args) &&
            ops->flatten(reader->walk, frame.node, &args, reader->drawing, frame.draw) &&

@@ -10,6 +10,7 @@
 
 #include "check.h"
 #include "dice.h"
+#include "plane/convex.h"
 #include "plane/hull.h"
 #include "plane/offset.h"
 #include "plane/outline.h"
@@ -185,6 +186,66 @@ static void test_random(void)
         add_random(&drawing, 3, seed % 2 == 0);
         check_drawing(&drawing, seed);
         csg_drawing_finish(&drawing);
+    }
+}
+
+/* ---- convex polygons --------------------------------------------------------------------- */
+
+/* A regular polygon, in either direction; on a grid a rectangle, in a union of its own. */
+static void add_convex(struct csg_drawing *drawing, bool on_grid)
+{
+    const uint32_t node = (uint32_t)drawing->nodes.num;
+    const double x = 6 * random_unit() - 3, y = 6 * random_unit() - 3, r = 4 + 6 * random_unit();
+    const double first = random_unit(), sign = random_int(2) ? 1 : -1;
+    const int num = on_grid ? 4 : 3 + random_int(30);
+    if ((on_grid && !csg_drawing_open(drawing, CSG_DRAW_UNION)) ||
+        !csg_drawing_add_figure(drawing, 0) || !csg_drawing_add_contour(drawing))
+        abort();
+    for (int i = 0; i < num; i++) {
+        const double angle = sign * (6.283185307179586 * i / num + first);
+        const bool ok =
+            on_grid ? csg_drawing_add_point(drawing, floor(i % 3 ? x + r : x - r),
+                                            floor(i > 1 ? y + r : y - r))
+                    : csg_drawing_add_point(drawing, x + r * cos(angle), y + r * sin(angle));
+        if (!ok)
+            abort();
+    }
+    if (on_grid)
+        csg_drawing_close(drawing, node);
+}
+
+/* One polygon in the place of several covers what is in all of them; mixed: one of them is none. */
+static void check_intersection(int seed, bool on_grid, bool mixed)
+{
+    struct csg_drawing drawing = {0};
+    int num_wrong = 0;
+    double xs[400], ys[400];
+    bool inside[400];
+    if (!csg_drawing_open(&drawing, CSG_DRAW_INTERSECTION))
+        abort();
+    for (int i = 2 + random_int(20); i > 0; i--)
+        add_convex(&drawing, on_grid);
+    if (mixed)
+        add_polygon(&drawing, 7, on_grid);
+    csg_drawing_close(&drawing, 0);
+    for (int i = 0; i < 400; i++) {
+        xs[i] = 10 * random_unit() - 5;
+        ys[i] = 10 * random_unit() - 5;
+        inside[i] = in_node(&drawing, 0, xs[i], ys[i]);
+    }
+    CHECK(csg_drawing_intersect(&drawing, 0), "memory");
+    CHECK((drawing.nodes.num == 1) == !mixed, "seed %d: %zu nodes", seed, drawing.nodes.num);
+    for (int i = 0; i < 400; i++)
+        num_wrong += in_node(&drawing, 0, xs[i], ys[i]) != inside[i];
+    CHECK(num_wrong == 0, "seed %d: %d of 400 points", seed, num_wrong);
+    csg_drawing_finish(&drawing);
+}
+
+static void test_intersection(void)
+{
+    for (int seed = 0; seed < 200; seed++) {
+        dice = 5000 + (unsigned long long)seed;
+        check_intersection(seed, seed % 2 == 0, seed % 10 == 9);
     }
 }
 
@@ -383,6 +444,7 @@ static void test_hull(void)
 int main(void)
 {
     test_random();
+    test_intersection();
     test_winding();
     test_holes();
     test_pieces();
