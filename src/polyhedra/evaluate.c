@@ -210,6 +210,8 @@ static bool visit(struct evaluator *evaluator, const struct csg_node *node)
 {
     struct frame *top = &evaluator->frames.data[evaluator->frames.num - 1];
     struct cells in = {0}, out = {0};
+    if (node->op == CSG_LEAF && evaluator->part->shapes.data[node->leaf].surface)
+        return true;
     bool ok = take_input(top, &in);
     if (node->op == CSG_LEAF) {
         ok = ok && cut_cells(evaluator, &in, node, &out) && give_output(top, &out);
@@ -317,33 +319,66 @@ bool csg_part_is_union(const struct csg_part *part)
     return true;
 }
 
-/* Bounded by triangles, which nothing here cuts into convex sets. */
-static bool has_surface(const struct csg_part *part)
+size_t csg_part_next_uncut(const struct csg_part *part, size_t i)
 {
-    for (size_t i = 0; i < part->shapes.num; i++)
-        if (part->shapes.data[i].surface)
-            return true;
-    return false;
+    while (i < part->tree.num) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op == CSG_LEAF && !node->negated)
+            return i;
+        i = node->op == CSG_AND && node->end > i + 2 ? node->end : i + 1;
+    }
+    return i;
 }
 
-enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
-                                       struct csg_clusters *clusters)
+static bool is_surface(const struct csg_part *part, size_t leaf)
+{
+    return part->shapes.data[part->tree.data[leaf].leaf].surface != NULL;
+}
+
+/* Surfaces that are operands of unions alone; what is bounded by triangles is not cut here. */
+static size_t count_uncut_surfaces(const struct csg_part *part)
+{
+    size_t num = 0;
+    for (size_t i = csg_part_next_uncut(part, 0); i < part->tree.num;
+         i = csg_part_next_uncut(part, i + 1))
+        num += is_surface(part, i);
+    return num;
+}
+
+static size_t count_surfaces(const struct csg_part *part)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < part->tree.num; i++)
+        num += part->tree.data[i].op == CSG_LEAF && is_surface(part, i);
+    return num;
+}
+
+/* Each a set, whether it is convex or not. */
+static enum csg_hull_result add_uncut(const struct csg_part *part, bool surfaces_only,
+                                      struct csg_clusters *clusters)
 {
     enum csg_hull_result result = CSG_HULL_DONE;
-    if (has_surface(part) && !(points_only && csg_part_is_union(part)))
-        return CSG_HULL_FLAT;
-    if (!csg_part_is_union(part))
-        return evaluate_cells(part, clusters);
-    for (size_t i = 0; i < part->tree.num && result == CSG_HULL_DONE; i++) {
-        if (part->tree.data[i].op != CSG_LEAF)
-            continue;
+    for (size_t i = csg_part_next_uncut(part, 0); i < part->tree.num && result == CSG_HULL_DONE;
+         i = csg_part_next_uncut(part, i + 1)) {
         const size_t before = clusters->corners.points.num;
+        if (surfaces_only && !is_surface(part, i))
+            continue;
         result = csg_shape_corners(&part->shapes.data[part->tree.data[i].leaf], &clusters->corners);
         if (result == CSG_HULL_DONE && clusters->corners.points.num > before &&
             !csg_array_push(&clusters->ends, clusters->corners.points.num))
             result = CSG_HULL_NO_MEMORY;
     }
     return result;
+}
+
+enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
+                                       struct csg_clusters *clusters)
+{
+    const bool is_union = csg_part_is_union(part);
+    if (count_surfaces(part) > (points_only ? count_uncut_surfaces(part) : 0))
+        return CSG_HULL_FLAT;
+    const enum csg_hull_result result = add_uncut(part, !is_union, clusters);
+    return is_union || result != CSG_HULL_DONE ? result : evaluate_cells(part, clusters);
 }
 
 enum csg_hull_result csg_part_press(struct csg_part *part, const struct csg_map *map)

@@ -229,7 +229,21 @@ bool csg_mesh_clean(struct csg_mesh *mesh, const struct csg_cut_space *space)
     return ok;
 }
 
-/* ---- winding ------------------------------------------------------------------------------ */
+/* ---- volume and winding ------------------------------------------------------------------- */
+
+double csg_mesh_volume(const struct csg_mesh *mesh)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->faces.num; i++) {
+        const struct csg_mesh_face *face = &mesh->faces.data[i];
+        const struct csg_vec3 origin = corner(mesh, mesh->faces.data[0].begin);
+        const struct csg_vec3 a = csg_sub(corner(mesh, face->begin), origin);
+        for (uint32_t j = face->begin + 1; j + 1 < face->end; j++)
+            sum += csg_dot(a, csg_cross(csg_sub(corner(mesh, j), origin),
+                                        csg_sub(corner(mesh, j + 1), origin)));
+    }
+    return sum / 6;
+}
 
 /* Twice the tangent's angle is the solid angle of the triangle (Van Oosterom and Strackee 1983). */
 static double solid_angle(struct csg_vec3 a, struct csg_vec3 b, struct csg_vec3 c)

@@ -21,7 +21,7 @@ struct csg_mesh {
     double size;        /* the largest coordinate */
     double rounding;    /* see struct csg_shape */
     bool is_simple;     /* see struct csg_surface */
-    bool keeps_dents;   /* OpenSCAD never takes its hull for it */
+    bool keeps_dents;   /* OpenSCAD never takes its hull for it, as where it is inside out */
     size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
 
@@ -66,6 +66,9 @@ bool csg_mesh_films(const struct csg_mesh *mesh, const struct csg_mesh_gaps *gap
  * are bent by at most so many degrees. false: out of memory. */
 bool csg_mesh_has_shallow_dents(const struct csg_mesh *mesh, const struct csg_map *map,
                                 double degrees, bool *has);
+
+/* Of a closed mesh; negative where its faces run clockwise as seen from outside. */
+double csg_mesh_volume(const struct csg_mesh *mesh);
 
 /* Times that the surface goes round p. */
 double csg_mesh_winding(const struct csg_mesh *mesh, struct csg_vec3 p);

@@ -98,7 +98,11 @@ bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
     walk->was_placed |= is_bent;
     if (is_bent && !csg_cut_space_find(walk, node, &space))
         return false;
-    return csg_mesh_clean(mesh, &space) || csg_log_memory(&walk->builder->report->log);
+    if (!csg_mesh_clean(mesh, &space))
+        return csg_log_memory(&walk->builder->report->log);
+    const double volume = csg_mesh_volume(mesh);
+    mesh->keeps_dents |= reversed ? volume > 0 : volume < 0;
+    return true;
 }
 
 static void warn_of_gaps(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,

@@ -42,9 +42,10 @@ static bool report(struct csg_walk *walk, uint32_t node, enum csg_hull_result re
 bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part)
 {
     bool ok = true;
-    for (size_t i = 0; i < part->tree.num && ok; i++) {
+    for (size_t i = csg_part_next_uncut(part, 0); i < part->tree.num && ok;
+         i = csg_part_next_uncut(part, i + 1)) {
         struct csg_node *node = &part->tree.data[i];
-        if (node->op != CSG_LEAF || !part->shapes.data[node->leaf].surface)
+        if (!part->shapes.data[node->leaf].surface)
             continue;
         ok = csg_array_push(&sets->surfaces, part->shapes.data[node->leaf]);
         if (ok)
@@ -60,7 +61,7 @@ static enum csg_hull_result evaluate(struct csg_sets *sets, struct csg_part *par
 {
     if (part->is_too_large)
         return CSG_HULL_FLAT;
-    if (wanted != CSG_WANT_POINTS && csg_part_is_union(part) && !csg_sets_take_surfaces(sets, part))
+    if (wanted != CSG_WANT_POINTS && !csg_sets_take_surfaces(sets, part))
         return CSG_HULL_NO_MEMORY;
     return csg_part_evaluate(part, wanted == CSG_WANT_POINTS, &sets->convex);
 }

@@ -67,6 +67,15 @@ check "a picture" is_png a.png
 expect 1 "not handed over" info a.csg --no-gl --no-handoff
 says "a.csg:4:3: import_dxf is not supported yet; --skip-unsupported draws the rest"
 
+# A polyhedron beside a Boolean.
+cat >beside.csg <<END
+hull() {
+	polyhedron(points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]], faces = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+	difference() { cube(size = 3); cube(size = 2); }
+}
+END
+expect 0 "a hull is not handed over" info beside.csg --no-gl --no-handoff
+
 OPENSCAD=/nowhere/openscad expect 1 "no openscad" info a.csg --no-gl
 says "a.csg:4:3: import_dxf: only openscad can evaluate it, and '/nowhere/openscad' does not run"
 OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported

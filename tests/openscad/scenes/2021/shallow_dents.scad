@@ -1,5 +1,5 @@
 // Of a solid whose dents are bent by less than 0.1 degrees, where it is put, OpenSCAD takes the hull
-// where it meets others, and its faces where it stands alone.
+// where it meets others, and its faces where it stands alone. One that is inside out keeps its dents.
 
 module dented(depth)
     polyhedron([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0],
@@ -12,4 +12,14 @@ translate([20, 0, 0]) intersection() { dented(0.02); translate([0, 0, 4]) cube([
 translate([40, 0, 0]) minkowski() { dented(0.01); cube(1); }
 translate([0, 20, 0]) scale([1, 1, 0.01]) difference() { scale([1, 1, 100]) dented(0.01); sphere(2, $fn = 6); }
 translate([20, 20, 0]) scale([1, 1, 100]) difference() { scale([1, 1, 0.01]) dented(0.3); sphere(0.02, $fn = 6); }
+
+module inside_out(depth)
+    polyhedron([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0],
+                [-9, -9, 5], [9, -9, 5], [9, 9, 5], [-9, 9, 5], [0, 0, 5 - depth]],
+               [[3, 2, 1, 0], [8, 4, 5], [8, 5, 6], [8, 6, 7], [8, 7, 4],
+                [5, 4, 0, 1], [6, 5, 1, 2], [7, 6, 2, 3], [4, 7, 3, 0]]);
+
+translate([0, 40, 0]) difference() { inside_out(0.01); translate([3, -9, -1]) cube([2, 12, 9]); }
+translate([20, 40, 0]) mirror([0, 0, 1]) intersection() { mirror([1, 0, 0]) inside_out(0.01); cube(30, center = true); }
+
 translate([40, 20, 0]) rotate([90, 0, 0]) linear_extrude(1) projection(cut = true) rotate([90, 0, 0]) dented(0.01);
