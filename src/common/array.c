@@ -18,3 +18,12 @@ bool csg_array_grow(void **data, size_t *capacity, size_t num, size_t extra, siz
     *capacity = wanted;
     return true;
 }
+
+void csg_array_shrink(void **data, size_t *capacity, size_t num, size_t element_size)
+{
+    void *shrunk = num > 0 && num < *capacity ? realloc(*data, num * element_size) : NULL;
+    if (!shrunk)
+        return;
+    *data = shrunk;
+    *capacity = num;
+}

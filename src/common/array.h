@@ -26,6 +26,13 @@ bool csg_array_grow(void **data, size_t *capacity, size_t num, size_t extra, siz
      csg_array_grow((void **)&(array)->data, &(array)->capacity, (array)->num, (extra),            \
                     sizeof *(array)->data))
 
+/* Gives back what is reserved beyond the elements. */
+void csg_array_shrink(void **data, size_t *capacity, size_t num, size_t element_size);
+
+#define csg_array_trim(array)                                                                      \
+    csg_array_shrink((void **)&(array)->data, &(array)->capacity, (array)->num,                    \
+                     sizeof *(array)->data)
+
 #define csg_array_push(array, value)                                                               \
     (csg_array_reserve(array, 1) ? ((array)->data[(array)->num++] = (value), true) : false)
 

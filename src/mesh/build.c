@@ -182,6 +182,7 @@ bool csg_surface_build(struct csg_surface *surface)
     ok = ok && reorder(&build);
     if (ok)
         fill_ends(surface);
+    csg_array_trim(&surface->nodes);
     free(build.items);
     free(build.tasks.data);
     return ok;

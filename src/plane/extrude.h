@@ -9,9 +9,10 @@
 #include "plane/prism.h"
 
 /* From more convex pieces on a surface of triangles is faster to draw (docs/surfaces.md): of what
- * objects are cut from or are made of one by one, and of what is blended, all of whose pieces are
- * one object with two sides. */
+ * objects are cut from, of what stands by itself, each piece of which is an object, and of what is
+ * blended, all of whose pieces are one object with two sides. */
 #define CSG_EXTRUDE_PIECES 100
+#define CSG_EXTRUDE_ALONE_PIECES 20
 #define CSG_EXTRUDE_BLENDED_PIECES 3
 
 /* Polygons become unions of convex pieces, those of more than max_pieces one surface. false: out of

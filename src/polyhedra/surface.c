@@ -136,5 +136,8 @@ bool csg_mesh_to_shape(const struct csg_mesh *mesh, bool open, struct csg_shape 
     turn_outwards(surface, shape->bounds.lo);
     surface->rounding = mesh->rounding;
     csg_surface_measure(surface);
+    csg_array_trim(&surface->points);
+    csg_array_trim(&surface->triangles);
+    csg_array_trim(&surface->planes);
     return true;
 }

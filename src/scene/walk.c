@@ -133,8 +133,8 @@ bool csg_walk_is_boolean(const struct csg_walk *walk, uint32_t node)
 /* What is inside of another compound is wanted as convex pieces. */
 size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean)
 {
-    const bool is_blended = walk->is_see_through && !in_boolean;
-    return walk->depth > 0 ? SIZE_MAX
-           : is_blended    ? CSG_EXTRUDE_BLENDED_PIECES
-                           : CSG_EXTRUDE_PIECES;
+    return walk->depth > 0        ? SIZE_MAX
+           : in_boolean           ? CSG_EXTRUDE_PIECES
+           : walk->is_see_through ? CSG_EXTRUDE_BLENDED_PIECES
+                                  : CSG_EXTRUDE_ALONE_PIECES;
 }
