@@ -8,6 +8,10 @@
 #define MIN_OPERANDS 12
 #define MAX_DOMINATORS 4
 
+/* Planes of one times planes of the other, beyond which they are not compared: in smaller tiles
+ * solids of many planes have few of them. */
+#define MAX_PLANE_PAIRS 1024
+
 /* How one face lies to another over the tile. */
 enum { CROSSES, EQUAL_SOMEWHERE, BEHIND };
 
@@ -64,7 +68,7 @@ static bool is_inside(struct pair *pair)
     const size_t inner_end = inner->num_entries + inner->num_exits;
     pair->touches = outer->flags & CSG_RECORD_QUADRIC;
     if ((outer->flags | inner->flags) & CSG_RECORD_SURFACE || outer->flags & CSG_RECORD_GAP ||
-        !same_quadric(pair))
+        outer_end * inner_end > MAX_PLANE_PAIRS || !same_quadric(pair))
         return false;
     for (size_t i = 0; i < outer->num_entries; i++)
         if (!has_plane(pair, i, 0, inner->num_entries, false))
