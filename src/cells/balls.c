@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "cells/balls.h"
 
-#include "csg/carrier.h"
-
 struct ball {
     struct csg_vec3 center;
     double radius;
@@ -15,14 +13,12 @@ struct dominator {
     uint32_t place;
 };
 
-static bool ball_of(const struct csgcast_scene *scene, uint32_t leaf, struct ball *ball)
+static bool ball_of(const struct csg_cell_leaf *leaves, uint32_t leaf, struct ball *ball)
 {
-    const struct csg_shape *shape = &scene->leaves[leaf].shape;
-    if (!shape->has_quadric || shape->num_planes)
-        return false;
-    const struct csg_face face = scene->carriers->quadric_faces[leaf];
-    const struct csg_quadric *quadric = csg_carrier_quadric(scene, scene->carriers, face.carrier);
-    return !face.flipped && csg_quadric_ball(quadric, &ball->center, &ball->radius);
+    const struct csg_box *box = &leaves[leaf].box;
+    ball->center = csg_scale(0.5, csg_add(box->lo, box->hi));
+    ball->radius = leaves[leaf].radius;
+    return ball->radius > 0;
 }
 
 /*
@@ -46,13 +42,13 @@ static bool holds(const struct ball *outer, const struct ball *inner, const stru
 
 /* Of an intersection the ball that the box is furthest out of, of those that are subtracted the one
  * that it is deepest in. */
-static void find_dominators(const struct csgcast_scene *scene, const struct csg_tree *tree,
+static void find_dominators(const struct csg_cell_leaf *leaves, const struct csg_tree *tree,
                             const struct csg_box *box, struct dominator found[2])
 {
     const struct csg_vec3 middle = csg_scale(0.5, csg_add(box->lo, box->hi));
     for (uint32_t i = 1; i < tree->num; i++) {
         struct dominator own = {.place = i};
-        if (!ball_of(scene, tree->data[i].leaf, &own.ball))
+        if (!ball_of(leaves, tree->data[i].leaf, &own.ball))
             continue;
         struct dominator *best = &found[tree->data[i].negated];
         own.height = csg_length(csg_sub(middle, own.ball.center)) - own.ball.radius;
@@ -62,19 +58,19 @@ static void find_dominators(const struct csgcast_scene *scene, const struct csg_
     }
 }
 
-void csg_balls_drop(const struct csgcast_scene *scene, struct csg_tree *tree,
+void csg_balls_drop(const struct csg_cell_leaf *leaves, struct csg_tree *tree,
                     const struct csg_box *box, double margin)
 {
     struct dominator found[2] = {{.place = 0}, {.place = 0}};
     uint32_t num = 1;
-    find_dominators(scene, tree, box, found);
+    find_dominators(leaves, tree, box, found);
     if (!found[0].place && !found[1].place)
         return;
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node node = tree->data[i];
         const struct dominator *other = &found[node.negated];
         struct ball own;
-        if (i != other->place && ball_of(scene, node.leaf, &own) &&
+        if (i != other->place && ball_of(leaves, node.leaf, &own) &&
             (node.negated ? holds(&other->ball, &own, box, margin)
                           : holds(&own, &other->ball, box, margin)))
             continue;

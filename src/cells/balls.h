@@ -9,12 +9,11 @@
  * another one of these holds it.
  */
 
-#include "csg/scene.h"
-#include "csg/tree.h"
+#include "cells/leaf.h"
 
 /* Leaves out of an intersection of literals the balls that do not matter in the box, by margin: how
  * near to each other surfaces may be that both stay. */
-void csg_balls_drop(const struct csgcast_scene *scene, struct csg_tree *tree,
+void csg_balls_drop(const struct csg_cell_leaf *leaves, struct csg_tree *tree,
                     const struct csg_box *box, double margin);
 
 #endif

@@ -22,8 +22,7 @@
 static uint8_t side_of(const struct csg_cell_builder *builder, uint32_t leaf,
                        const struct csg_box *around)
 {
-    return builder->is_box[leaf] ? csg_side_of_box(&builder->scene->leaves[leaf].box, around)
-                                 : csg_side_of_leaf(builder->scene, leaf, false, around);
+    return csg_cell_leaf_side(builder->scene, builder->leaves, leaf, around);
 }
 
 /* What is left of an intersection of literals, as csg_tree_simplify_to has it. */
@@ -47,7 +46,7 @@ static bool fold_chain(struct csg_cell_builder *builder, const struct csg_box *a
     }
     left->data[0].end = (uint32_t)left->num;
     if (left->num > MANY_LITERALS && (double)left->num > OVERLAPPING_SHARE * (double)tree->num)
-        csg_balls_drop(builder->scene, left, around, builder->margin);
+        csg_balls_drop(builder->leaves, left, around, builder->margin);
     return true;
 }
 
@@ -87,7 +86,8 @@ static bool put_literal(struct csg_cell_builder *builder, const struct csg_step 
     const uint32_t num = carriers->face_begin[step->leaf + 1] - begin;
     const uint32_t place = builder->places[step->leaf];
     uint32_t faces = 0, used = 0, flags = step->flags;
-    if (flags & CSG_RECORD_QUADRIC && !csg_side_quadric_varies(builder->scene, step->leaf, around))
+    if (flags & CSG_RECORD_QUADRIC &&
+        !csg_cell_leaf_quadric_varies(builder->scene, builder->leaves, step->leaf, around))
         flags &= ~(uint32_t)(CSG_RECORD_QUADRIC | CSG_RECORD_GAP);
     for (uint32_t i = 0; i < num; i++) {
         if (!csg_side_plane_varies(builder->scene, carriers->faces[begin + i], around))
@@ -219,8 +219,8 @@ void csg_cell_builder_start(struct csg_cell_builder *builder, const struct csg_b
     builder->known = malloc(builder->scene->num_leaves + 1);
     builder->bunches.scene = builder->scene;
     builder->bunches.places = builder->places;
-    builder->splitter.scene = builder->scene;
-    builder->splitter.is_box = builder->is_box;
+    builder->bunches.leaves = builder->leaves;
+    builder->splitter.leaves = builder->leaves;
     builder->splitter.margin = builder->margin;
     builder->failed = !builder->known || !csg_array_push(&builder->branches, open) ||
                       !add_work(builder, work, tree);
@@ -251,7 +251,7 @@ void csg_cell_builder_finish(struct csg_cell_builder *builder)
     free(builder->records.data);
     free(builder->bunches.literals.data);
     free(builder->bunches.texels.data);
-    free(builder->splitter.leaves.data);
+    free(builder->splitter.inside.data);
     free(builder->program.data);
     csg_program_room_finish(&builder->program_room);
     csg_tree_room_finish(&builder->room);

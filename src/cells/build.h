@@ -5,6 +5,7 @@
 /* The binary tree of cuts that cells come from, and the cells' records. */
 
 #include "cells/bunch.h"
+#include "cells/leaf.h"
 #include "cells/split.h"
 #include "csg/program.h"
 
@@ -32,7 +33,7 @@ struct csg_work {
 struct csg_cell_builder {
     const struct csgcast_scene *scene;
     const uint32_t *places; /* of the leaves' terms, by leaf */
-    const bool *is_box;     /* by leaf, see csg_side_is_box */
+    const struct csg_cell_leaf *leaves;
     double margin;
     bool bunched;
     size_t max_branches;

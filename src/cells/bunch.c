@@ -92,7 +92,7 @@ static bool put_literal(const struct csg_bunches *bunches, const struct csg_bunc
             mask |= 1u << bit;
         }
     if (scene->leaves[literal->leaf].shape.has_quadric &&
-        csg_side_quadric_varies(scene, literal->leaf, box)) {
+        csg_cell_leaf_quadric_varies(scene, bunches->leaves, literal->leaf, box)) {
         const size_t bit =
             find_surface(quadric_of(carriers, literal->leaf), place + 1 + num, bunch->quadrics,
                          bunch->quadric_places, &bunch->num_quadrics, NUM_QUADRICS);

@@ -8,13 +8,14 @@
  * (shaders/csg/bunch.glsl). Only intersections of convex leaves of few faces go into bunches.
  */
 
-#include "csg/object.h"
+#include "cells/leaf.h"
 
 /* Texels: places of terms of planes, of quadrics where the object has any, then of the literals
  * their surfaces as bits, and places of their leaves, + 1, negative where negated. Four numbers
  * each. */
 struct csg_bunches {
     const struct csgcast_scene *scene;
+    const struct csg_cell_leaf *leaves;
     const uint32_t *places; /* of the leaves' terms, by leaf; a header each, then the faces */
     bool quadrics;          /* the object has some: there are fewer planes */
     CSG_ARRAY(struct csg_bunch_literal {

@@ -34,7 +34,7 @@ struct job {
     struct csg_cell_builder top; /* its work is what the parts start from */
     struct csg_cell_builder *parts;
     uint32_t *places;
-    bool *is_box;
+    struct csg_cell_leaf *leaves;
     double cost; /* of all parts */
     struct csg_kept *before;
     uint64_t *keys;      /* of the parts; NULL: none are kept */
@@ -70,7 +70,7 @@ static void build_part(void *user, size_t i)
     }
     part->scene = job->top.scene;
     part->places = job->places;
-    part->is_box = job->is_box;
+    part->leaves = job->leaves;
     part->margin = job->top.margin;
     part->bunched = job->top.bunched;
     part->bunches.quadrics = job->top.bunches.quadrics;
@@ -100,16 +100,6 @@ static uint32_t *find_places(const struct csgcast_scene *scene, const struct csg
         return places;
     free(places);
     return NULL;
-}
-
-static bool *find_boxes(const struct csgcast_scene *scene, const struct csg_object *object)
-{
-    const struct csg_node *nodes = scene->trees[object->layer].data;
-    bool *boxes = malloc((scene->num_leaves + 1) * sizeof *boxes);
-    for (uint32_t i = object->begin; i < object->end && boxes; i++)
-        if (nodes[i].op == CSG_LEAF)
-            boxes[nodes[i].leaf] = csg_side_is_box(scene, nodes[i].leaf);
-    return boxes;
 }
 
 static size_t max_branches(const struct csgcast_scene *scene, const struct csg_object *object)
@@ -143,16 +133,16 @@ static bool build(struct job *job, const struct csgcast_scene *scene,
                   const struct csg_object *object, struct csg_cells *cells)
 {
     job->places = find_places(scene, object);
-    job->is_box = find_boxes(scene, object);
+    job->leaves = csg_cell_leaves_create(scene, object);
     job->top.scene = scene;
     job->top.places = job->places;
-    job->top.is_box = job->is_box;
+    job->top.leaves = job->leaves;
     job->top.margin = cells->margin;
     job->top.bunched = cells->bunched =
         csg_bunches_can_hold(scene, object, &job->top.bunches.quadrics);
     struct csg_tree tree = {0};
     const bool has_tree =
-        job->places && job->is_box &&
+        job->places && job->leaves &&
         csg_tree_append(&tree, scene->trees[object->layer].data, object->begin, object->end);
     if (has_tree)
         csg_cell_builder_start(&job->top, &cells->box, &tree, 0);
@@ -343,7 +333,7 @@ static void finish_job(struct job *job)
     free(job->leaf_keys);
     csg_cell_builder_finish(&job->top);
     free(job->places);
-    free(job->is_box);
+    free(job->leaves);
 }
 
 struct csg_cells *csg_cells_create(const struct csgcast_scene *scene,

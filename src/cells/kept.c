@@ -63,8 +63,8 @@ uint64_t csg_kept_leaf_key(const struct csg_cell_builder *top, uint32_t leaf)
 {
     const struct csg_leaf *own = &top->scene->leaves[leaf];
     uint64_t hash = csg_hash_number(csg_hash_number(0, leaf), top->places[leaf]);
-    hash = csg_hash_number(
-        hash, (uint64_t)(4 * top->is_box[leaf] + 2 * own->shape.has_quadric + own->shape.convex));
+    hash = csg_hash_number(hash, (uint64_t)(4 * top->leaves[leaf].is_box +
+                                            2 * own->shape.has_quadric + own->shape.convex));
     hash = add_planes(add_box(hash, &own->box), top->scene->carriers, leaf);
     return own->shape.has_quadric ? add_quadric(hash, top->scene, leaf) : hash;
 }

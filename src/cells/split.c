@@ -7,6 +7,9 @@
  * of all the others. */
 #define NUM_LARGEST 8
 #define NUM_OTHERS 8
+/* So many leaves tell how many are on either side of a place, by every k-th of them. */
+#define MAX_COUNTED 512
+
 #define MAX_PLACES (2 * (NUM_LARGEST + NUM_OTHERS) + 1)
 
 /* So many solids are worth a cut even where their boxes promise nothing. */
@@ -38,15 +41,15 @@ struct csg_box csg_split_box(const struct csg_box *box, const struct csg_split *
 static bool collect(struct csg_splitter *splitter, const struct csg_box *box,
                     const struct csg_tree *tree)
 {
-    splitter->leaves.num = 0;
-    if (!csg_array_reserve(&splitter->leaves, tree->num))
+    splitter->inside.num = 0;
+    if (!csg_array_reserve(&splitter->inside, tree->num))
         return false;
     for (size_t i = 0; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
         if (node->op == CSG_LEAF)
-            splitter->leaves.data[splitter->leaves.num++] = (struct csg_split_leaf){
-                csg_box_intersection(box, &splitter->scene->leaves[node->leaf].box), node->negated,
-                splitter->is_box[node->leaf]};
+            splitter->inside.data[splitter->inside.num++] = (struct csg_split_leaf){
+                csg_box_intersection(box, &splitter->leaves[node->leaf].box), node->negated,
+                splitter->leaves[node->leaf].is_box};
     }
     return true;
 }
@@ -65,8 +68,8 @@ static size_t find_largest(const struct csg_splitter *splitter, size_t largest[N
 {
     double areas[NUM_LARGEST];
     size_t num = 0;
-    for (size_t i = 0; i < splitter->leaves.num; i++) {
-        const double own = csg_box_half_area(&splitter->leaves.data[i].box);
+    for (size_t i = 0; i < splitter->inside.num; i++) {
+        const double own = csg_box_half_area(&splitter->inside.data[i].box);
         if (num == NUM_LARGEST && own <= areas[num - 1])
             continue;
         size_t at = num < NUM_LARGEST ? num++ : num - 1;
@@ -97,13 +100,13 @@ static void add_ends(const struct csg_splitter *splitter, const struct csg_box *
 static void find_places(const struct csg_splitter *splitter, const struct csg_box *box,
                         const size_t *largest, size_t num_largest, int axis, struct places *places)
 {
-    const size_t num = splitter->leaves.num;
+    const size_t num = splitter->inside.num;
     const size_t step = num > NUM_OTHERS ? num / NUM_OTHERS : 1;
     places->num = 0;
     for (size_t i = 0; i < num_largest; i++)
-        add_ends(splitter, box, &splitter->leaves.data[largest[i]], axis, places);
+        add_ends(splitter, box, &splitter->inside.data[largest[i]], axis, places);
     for (size_t i = 0; i < NUM_OTHERS && i * step < num; i++)
-        add_ends(splitter, box, &splitter->leaves.data[i * step], axis, places);
+        add_ends(splitter, box, &splitter->inside.data[i * step], axis, places);
     const double lo = csg_vec3_component(box->lo, axis), hi = csg_vec3_component(box->hi, axis);
     if (hi - lo > SMALLEST * splitter->margin)
         add_place(places, 0.5 * (lo + hi));
@@ -123,15 +126,16 @@ static size_t places_below(const struct places *places, double key)
     return lo;
 }
 
-static void count_leaves(const struct csg_splitter *splitter, int axis, struct places *places)
+static void count_leaves(const struct csg_splitter *splitter, size_t step, int axis,
+                         struct places *places)
 {
     for (size_t i = 0; i <= places->num; i++)
         places->begun[i] = places->ended[i] = 0;
-    for (size_t i = 0; i < splitter->leaves.num; i++) {
-        const struct csg_box *leaf = &splitter->leaves.data[i].box;
+    for (size_t i = 0; i < splitter->inside.num; i += step) {
+        const struct csg_box *leaf = &splitter->inside.data[i].box;
         const double margin = splitter->margin;
-        places->begun[places_below(places, csg_vec3_component(leaf->lo, axis) - margin)]++;
-        places->ended[places_below(places, csg_vec3_component(leaf->hi, axis) + margin)]++;
+        places->begun[places_below(places, csg_vec3_component(leaf->lo, axis) - margin)] += step;
+        places->ended[places_below(places, csg_vec3_component(leaf->hi, axis) + margin)] += step;
     }
 }
 
@@ -166,8 +170,8 @@ static bool find_carving(const struct csg_splitter *splitter, const struct csg_b
 {
     const struct csg_split_leaf *best = NULL;
     double most = CARVED_SHARE * volume(box);
-    for (size_t i = 0; i < splitter->leaves.num; i++) {
-        const struct csg_split_leaf *leaf = &splitter->leaves.data[i];
+    for (size_t i = 0; i < splitter->inside.num; i++) {
+        const struct csg_split_leaf *leaf = &splitter->inside.data[i];
         if (leaf->negated && leaf->is_box && volume(&leaf->box) > most) {
             most = volume(&leaf->box);
             best = leaf;
@@ -207,16 +211,17 @@ bool csg_split_find(struct csg_splitter *splitter, const struct csg_box *box,
     size_t largest[NUM_LARGEST];
     if (!collect(splitter, box, tree))
         return false;
-    const size_t num = splitter->leaves.num;
+    const size_t num = splitter->inside.num;
     *split = (struct csg_split){.axis = -1, .cost = (double)num};
     if (find_carving(splitter, box, split))
         return true;
+    const size_t step = 1 + num / MAX_COUNTED, num_counted = (num + step - 1) / step * step;
     const size_t num_largest = find_largest(splitter, largest);
     for (int axis = 0; axis < 3; axis++) {
         struct places places;
         find_places(splitter, box, largest, num_largest, axis, &places);
-        count_leaves(splitter, axis, &places);
-        choose(box, axis, &places, num, split);
+        count_leaves(splitter, step, axis, &places);
+        choose(box, axis, &places, num_counted, split);
     }
     if (split->axis < 0 && num > MANY_LEAVES)
         halve(splitter, box, split);

@@ -4,7 +4,7 @@
 
 /* Where to cut a box: by the surface area heuristic (MacDonald and Booth 1990). */
 
-#include "csg/object.h"
+#include "cells/leaf.h"
 
 struct csg_split {
     int axis; /* 0, 1, 2 */
@@ -14,15 +14,14 @@ struct csg_split {
 
 /* Zero-initialise it. */
 struct csg_splitter {
-    const struct csgcast_scene *scene;
-    const bool *is_box; /* by leaf: all of its box, see csg_side_is_box */
-    double margin;      /* of the cells; cuts keep off what they cut at by twice that */
+    const struct csg_cell_leaf *leaves;
+    double margin; /* of the cells; cuts keep off what they cut at by twice that */
     CSG_ARRAY(struct csg_split_leaf {
         struct csg_box box; /* of what is in the box at hand */
         bool negated;
         bool is_box; /* it is all of its box */
     })
-    leaves;
+    inside;
 };
 
 /* The best cut of the box with that tree. false: none, or out of memory. */
