@@ -4,7 +4,7 @@
 #include <math.h>
 
 /* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
-#define MAX_LIT 1.5
+#define MAX_LIT 2.0
 
 /* llvmpipe runs blocks of 4 x 4 fragments: what a rectangle has of them beyond its edges. */
 #define EDGE_FRAGMENTS 16
@@ -71,10 +71,12 @@ static bool is_thin(const struct csg_frame *frame, const struct csg_request *req
     return (double)(frame->proxy_pixels + EDGE_FRAGMENTS * num) <= MAX_LIT * width * height;
 }
 
-/* A scene that is edited keeps to what its first frame was, so that nothing is compiled. */
+/* Frames after an edit keep to what the one before was, so that nothing is compiled; so do forced
+ * variants, which compile no more than they need. */
 static bool is_kept_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    if (renderer->thin_scene != request->scene) {
+    const bool may_change = !request->after_edit && request->resolver < 0;
+    if (may_change || renderer->thin_scene != request->scene) {
         renderer->thin_scene = request->scene;
         renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
     }

@@ -60,6 +60,7 @@ void check_programs(struct bench *bench, uint64_t seed, int max_leaves);
 void check_series(struct bench *bench, uint64_t seed);
 void check_many(struct bench *bench, uint64_t seed, bool marked, bool has_surfaces);
 void check_upload(struct bench *bench);
+void check_shading(struct bench *bench);
 void check_batch(struct bench *bench);
 void check_growth(struct bench *bench);
 void check_bar(struct bench *bench);

@@ -37,6 +37,7 @@ int main(int argc, char **argv)
         check_many(&bench, seed + 300 + (unsigned)i, i % 2, true);
     }
     check_upload(&bench);
+    check_shading(&bench);
     check_batch(&bench);
     check_bar(&bench);
     check_cases(&bench);

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+
+/* Pictures of bytes alone have no shading pass where few solids hide others. That is asked of views;
+ * frames after an edit keep to it, as they compile nothing. */
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "bench.h"
+
+enum { NUM_WALLS = 8 };
+
+static const struct csgcast_camera front = {
+    .kind = CSGCAST_CAMERA_GIMBAL, .rotate = {90, 0, 0}, .distance = 300};
+static const struct csgcast_camera side = {
+    .kind = CSGCAST_CAMERA_GIMBAL, .rotate = {90, 0, 90}, .distance = 300};
+
+/* Walls with holes: from the front each hides the next, from the side they stand in a row. */
+static void print_walls(double height, char *text)
+{
+    for (int i = 0; i < NUM_WALLS; i++)
+        text += sprintf(text,
+                        "multmatrix([[1,0,0,0],[0,1,0,%d],[0,0,1,0],[0,0,0,1]]) difference() {"
+                        " cube(size = [90, 4, %g], center = true);"
+                        " sphere(r = 15); sphere(r = %d); }\n",
+                        12 * i - 42, i == 2 ? height : 60, 16 + i);
+}
+
+static void draw_bytes(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                       const struct csgcast_camera *camera, uint8_t *bytes)
+{
+    const struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = *camera};
+    const struct csgcast_image image = {.rgba8 = bytes};
+    CHECK(csgcast_render(renderer, scene, &view, &image), "the scene does not render");
+}
+
+static size_t count_programs(const struct bench *bench)
+{
+    struct csgcast_stats stats;
+    csgcast_renderer_get_stats(bench->edited, &stats);
+    return stats.programs;
+}
+
+/* The frame after an edit: no program, and the picture of the text as it is now. */
+static void check_edit(struct bench *bench, struct csgcast_scene *scene, double height,
+                       const struct csgcast_camera *camera)
+{
+    static uint8_t got[4 * PIXELS], expected[4 * PIXELS];
+    char parameters[64];
+    const size_t before = count_programs(bench);
+    sprintf(parameters, "size = [90, 4, %g], center = true", height);
+    CHECK(csgcast_scene_set_parameters(scene, 6, parameters), "%s", bench_last_message);
+    draw_bytes(bench->edited, scene, camera, got);
+    CHECK(count_programs(bench) == before, "an edit to %g compiled", height);
+    print_walls(height, bench->text);
+    struct csgcast_scene *fresh = bench_parse(bench->text);
+    draw_bytes(bench->fresh, fresh, camera, expected);
+    CHECK(memcmp(got, expected, sizeof got) == 0, "an edit to %g: another picture", height);
+    csgcast_scene_destroy(fresh);
+}
+
+void check_shading(struct bench *bench)
+{
+    static uint8_t bytes[4 * PIXELS];
+    print_walls(60, bench->text);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
+    draw_bytes(bench->edited, scene, &front, bytes);
+    check_edit(bench, scene, 50, &front);
+    check_edit(bench, scene, 40, &side);
+    const size_t before = count_programs(bench);
+    draw_bytes(bench->edited, scene, &side, bytes);
+    CHECK(bench->backend == CSGCAST_BACKEND_REFERENCE || count_programs(bench) > before,
+          "a view that needs no shading pass has one");
+    check_edit(bench, scene, 55, &side);
+    check_edit(bench, scene, 45, &front);
+    csgcast_scene_destroy(scene);
+}
