@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/heap.h"
 #include "gl/lock.h"
 #include "gl/platform.h"
 
@@ -230,9 +231,11 @@ bool csg_gl_leave(struct csg_gl *gl)
     const bool ok = report_errors(gl);
     if (--context->depth > 0)
         return ok;
-    if (context->is_software && !context->spread)
+    if (context->is_software && !context->settled) {
         csg_gl_threads_spread(&context->others);
-    context->spread = true;
+        csg_heap_keep();
+    }
+    context->settled = true;
     gl->platform->unbind(context);
     csg_gl_current_restore(&context->saved);
     unlock(context);

@@ -25,7 +25,7 @@ struct csg_gl_context {
     int depth;                    /* enters without a leave */
     struct csg_gl_current saved;  /* what was current before the first of them */
     struct csg_gl_threads others; /* rasterizers that were there before the context */
-    bool spread;                  /* its own have a core each, if they can */
+    bool settled;                 /* after the first leave, see csg_gl_leave */
 };
 
 typedef void (*csg_gl_proc)(void);
