@@ -213,6 +213,64 @@ bool csg_cell_add_face(struct csg_cell *cell, const struct csg_plane *plane,
     return ok;
 }
 
+static void drop_face(struct csg_cell *cell, size_t i)
+{
+    csg_polygon_finish(&cell->faces.data[i]);
+    cell->faces.data[i] = cell->faces.data[--cell->faces.num];
+}
+
+static bool collect_polygon(const struct csg_polygon *polygon, struct cap *cap)
+{
+    bool ok = true;
+    for (size_t i = 0; i < polygon->points.num && ok; i++)
+        ok = csg_array_push(&cap->points, ((struct cap_point){0, polygon->points.data[i]}));
+    return ok;
+}
+
+/* The cell's face on that plane, which looks to the same side; the number of faces: none. */
+static size_t find_face(const struct csg_cell *cell, const struct csg_plane *plane, double near)
+{
+    size_t i = 0;
+    for (; i < cell->faces.num; i++) {
+        const struct csg_polygon *face = &cell->faces.data[i];
+        double lo = INFINITY, hi = -INFINITY;
+        csg_polygon_range(face, plane, &lo, &hi);
+        if (csg_dot(face->plane.normal, plane->normal) > 0 && lo >= -near && hi <= near)
+            break;
+    }
+    return i;
+}
+
+/* Takes the polygon over: it becomes a face, or a part of the one on its plane. */
+static bool add_face(struct csg_cell *cell, struct csg_polygon *polygon, double near)
+{
+    const size_t same = find_face(cell, &polygon->plane, near);
+    struct cap cap = {0};
+    if (same == cell->faces.num)
+        return keep(cell, polygon);
+    bool ok = collect_polygon(&cell->faces.data[same], &cap) && collect_polygon(polygon, &cap);
+    if (ok) {
+        sort_cap(&cap, &polygon->plane);
+        drop_face(cell, same);
+        ok = add_cap(cell, &cap, polygon->plane, false, near);
+    }
+    free(cap.points.data);
+    csg_polygon_finish(polygon);
+    return ok;
+}
+
+bool csg_cell_join(struct csg_cell *a, size_t i, struct csg_cell *b, size_t j, double near)
+{
+    bool ok = true;
+    drop_face(a, i);
+    drop_face(b, j);
+    for (size_t k = 0; k < b->faces.num; k++)
+        ok = add_face(a, &b->faces.data[k], near) && ok;
+    b->faces.num = 0;
+    csg_cell_finish(b);
+    return ok;
+}
+
 bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double near)
 {
     struct csg_cell below = {0}, above = {0};

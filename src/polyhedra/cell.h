@@ -47,6 +47,10 @@ bool csg_cell_clip(struct csg_cell *cell, const struct csg_plane *plane, double 
 bool csg_cell_add_face(struct csg_cell *cell, const struct csg_plane *plane,
                        const struct csg_vec3 *points, size_t num, double near);
 
+/* Joins two cells that have the faces i and j in common and are convex together: b goes over to a.
+ * false: out of memory. */
+bool csg_cell_join(struct csg_cell *a, size_t i, struct csg_cell *b, size_t j, double near);
+
 /* The cell of a bounded shape without a quadric. false: out of memory. */
 bool csg_cell_from_shape(struct csg_cell *cell, const struct csg_shape *shape);
 

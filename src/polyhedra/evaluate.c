@@ -4,10 +4,14 @@
 #include <stdlib.h>
 
 #include "polyhedra/cell.h"
+#include "polyhedra/join.h"
 #include "polyhedra/mesh.h"
 
 /* Give up when a Boolean is in so many pieces. */
-enum { max_cells = 20000 };
+enum { max_cells = 50000 };
+
+/* From so many sets on it is tried whether there are fewer without overlaps. */
+enum { many_sets = 1000 };
 
 struct cells {
     CSG_ARRAY(struct csg_cell) list;
@@ -19,6 +23,7 @@ struct frame {
     bool is_and;
     struct cells in;  /* what its next child, of an intersection, or each child is cut out of */
     struct cells out; /* union: what the children have made */
+    CSG_ARRAY(struct csg_node) leaves; /* union: the children so far that are leaves */
 };
 
 struct evaluator {
@@ -26,14 +31,8 @@ struct evaluator {
     CSG_ARRAY(struct frame) frames;
     size_t num_cells;
     double near;
+    bool apart; /* the leaves of a union do not overlap */
 };
-
-void csg_clusters_finish(struct csg_clusters *clusters)
-{
-    free(clusters->corners.points.data);
-    free(clusters->ends.data);
-    *clusters = (struct csg_clusters){0};
-}
 
 /* ---- lists of cells ----------------------------------------------------------------------- */
 
@@ -196,26 +195,59 @@ static bool give_output(struct frame *frame, struct cells *out)
     return move_cells(out, frame->is_and ? &frame->in : &frame->out);
 }
 
+static void finish_frame(struct frame *frame)
+{
+    finish_cells(&frame->in);
+    finish_cells(&frame->out);
+    free(frame->leaves.data);
+}
+
 static bool close_frame(struct evaluator *evaluator)
 {
     struct frame frame = evaluator->frames.data[--evaluator->frames.num];
     struct frame *parent = &evaluator->frames.data[evaluator->frames.num - 1];
     const bool ok = give_output(parent, frame.is_and ? &frame.in : &frame.out);
-    finish_cells(&frame.in);
-    finish_cells(&frame.out);
+    finish_frame(&frame);
+    return ok;
+}
+
+/* Takes from cells what the union's leaves before have, the last ones first, for along a path it is
+ * those that have most of it. */
+static bool take_apart(struct evaluator *evaluator, const struct frame *frame, struct cells *cells)
+{
+    bool ok = true;
+    for (size_t i = frame->leaves.num; i > 0 && cells->list.num > 0 && ok; i--) {
+        struct csg_node other = frame->leaves.data[i - 1];
+        struct cells left = {0};
+        other.negated = !other.negated;
+        ok = cut_cells(evaluator, cells, &other, &left);
+        *cells = left;
+    }
+    return ok;
+}
+
+static bool visit_leaf(struct evaluator *evaluator, struct frame *frame,
+                       const struct csg_node *leaf, struct cells *in)
+{
+    const bool is_cut = evaluator->apart && !frame->is_and;
+    struct cells out = {0};
+    const bool ok = cut_cells(evaluator, in, leaf, &out) &&
+                    (!is_cut || (take_apart(evaluator, frame, &out) &&
+                                 csg_array_push(&frame->leaves, *leaf))) &&
+                    give_output(frame, &out);
+    finish_cells(&out);
     return ok;
 }
 
 static bool visit(struct evaluator *evaluator, const struct csg_node *node)
 {
     struct frame *top = &evaluator->frames.data[evaluator->frames.num - 1];
-    struct cells in = {0}, out = {0};
+    struct cells in = {0};
     if (node->op == CSG_LEAF && evaluator->part->shapes.data[node->leaf].surface)
         return true;
     bool ok = take_input(top, &in);
     if (node->op == CSG_LEAF) {
-        ok = ok && cut_cells(evaluator, &in, node, &out) && give_output(top, &out);
-        finish_cells(&out);
+        ok = ok && visit_leaf(evaluator, top, node, &in);
     } else {
         const struct frame frame = {.end = node->end, .is_and = node->op == CSG_AND, .in = in};
         if (ok && csg_array_push(&evaluator->frames, frame))
@@ -252,43 +284,10 @@ static bool start(struct evaluator *evaluator)
     return false;
 }
 
-static int compare_x(const void *a, const void *b)
-{
-    const struct csg_vec3 *p = a, *q = b;
-    return p->x < q->x ? -1 : p->x > q->x;
-}
-
-static bool has_corner(const struct csg_vec3 *corners, size_t num, struct csg_vec3 p, double near)
-{
-    for (size_t i = num; i > 0 && p.x - corners[i - 1].x <= near; i--)
-        if (csg_length(csg_sub(corners[i - 1], p)) <= near)
-            return true;
-    return false;
-}
-
-/* Each corner belongs to three faces and more. */
-static bool add_cluster(struct csg_clusters *clusters, const struct csg_cell *cell, double near)
-{
-    const size_t begin = clusters->corners.points.num;
-    bool ok = true;
-    for (size_t i = 0; i < cell->faces.num && ok; i++)
-        for (size_t j = 0; j < cell->faces.data[i].points.num && ok; j++)
-            ok = csg_array_push(&clusters->corners.points, cell->faces.data[i].points.data[j]);
-    struct csg_vec3 *corners = &clusters->corners.points.data[begin];
-    const size_t num = clusters->corners.points.num - begin;
-    size_t kept = 0;
-    qsort(corners, num, sizeof *corners, compare_x);
-    for (size_t i = 0; i < num; i++)
-        if (!has_corner(corners, kept, corners[i], near))
-            corners[kept++] = corners[i];
-    clusters->corners.points.num = begin + kept;
-    return ok && csg_array_push(&clusters->ends, clusters->corners.points.num);
-}
-
-static enum csg_hull_result evaluate_cells(const struct csg_part *part,
+static enum csg_hull_result evaluate_cells(const struct csg_part *part, bool apart,
                                            struct csg_clusters *clusters)
 {
-    struct evaluator evaluator = {.part = part};
+    struct evaluator evaluator = {.part = part, .apart = apart};
     bool ok = start(&evaluator);
     for (size_t i = 0; i < part->tree.num && ok && evaluator.num_cells < max_cells; i++) {
         while (ok && evaluator.frames.data[evaluator.frames.num - 1].end <= i)
@@ -297,16 +296,38 @@ static enum csg_hull_result evaluate_cells(const struct csg_part *part,
     }
     while (ok && evaluator.frames.num > 1)
         ok = close_frame(&evaluator);
-    for (size_t i = 0; ok && i < evaluator.frames.data[0].out.list.num; i++)
-        ok = add_cluster(clusters, &evaluator.frames.data[0].out.list.data[i], evaluator.near);
-    for (size_t i = 0; i < evaluator.frames.num; i++) {
-        finish_cells(&evaluator.frames.data[i].in);
-        finish_cells(&evaluator.frames.data[i].out);
-    }
+    struct cells *sets = &evaluator.frames.data[0].out;
+    ok = ok && csg_cells_join(sets->list.data, sets->list.num, evaluator.near);
+    for (size_t i = 0; ok && i < sets->list.num; i++)
+        if (sets->list.data[i].faces.num > 0)
+            ok = csg_clusters_add_cell(clusters, &sets->list.data[i], evaluator.near);
+    for (size_t i = 0; i < evaluator.frames.num; i++)
+        finish_frame(&evaluator.frames.data[i]);
     free(evaluator.frames.data);
     if (!ok)
         return CSG_HULL_NO_MEMORY;
     return evaluator.num_cells < max_cells ? CSG_HULL_DONE : CSG_HULL_FLAT;
+}
+
+/* Where the solids of a union overlap much, as along a path, what they have in common with another
+ * solid is the same many times. Without overlaps that is cut into more cells, and joined to fewer
+ * sets, but into more of both where there are few overlaps. */
+static enum csg_hull_result evaluate_tree(const struct csg_part *part,
+                                          struct csg_clusters *clusters)
+{
+    struct csg_clusters sets[2] = {{.ends = {0}}};
+    enum csg_hull_result results[2] = {evaluate_cells(part, false, &sets[0]), CSG_HULL_FLAT};
+    if (results[0] != CSG_HULL_NO_MEMORY &&
+        (results[0] != CSG_HULL_DONE || sets[0].ends.num >= many_sets))
+        results[1] = evaluate_cells(part, true, &sets[1]);
+    const bool apart = results[1] == CSG_HULL_DONE &&
+                       (results[0] != CSG_HULL_DONE || sets[1].ends.num < sets[0].ends.num);
+    enum csg_hull_result result = results[apart];
+    if (result == CSG_HULL_DONE && !csg_clusters_append(clusters, &sets[apart]))
+        result = CSG_HULL_NO_MEMORY;
+    csg_clusters_finish(&sets[0]);
+    csg_clusters_finish(&sets[1]);
+    return result;
 }
 
 bool csg_part_is_union(const struct csg_part *part)
@@ -378,7 +399,7 @@ enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_
     if (count_surfaces(part) > (points_only ? count_uncut_surfaces(part) : 0))
         return CSG_HULL_FLAT;
     const enum csg_hull_result result = add_uncut(part, !is_union, clusters);
-    return is_union || result != CSG_HULL_DONE ? result : evaluate_cells(part, clusters);
+    return is_union || result != CSG_HULL_DONE ? result : evaluate_tree(part, clusters);
 }
 
 enum csg_hull_result csg_part_press(struct csg_part *part, const struct csg_map *map)

@@ -6,15 +6,7 @@
  * what hull and minkowski work on. */
 
 #include "csg/part.h"
-#include "polyhedra/hull.h"
-
-/* Zero-initialise it. */
-struct csg_clusters {
-    struct csg_points corners;
-    CSG_ARRAY(size_t) ends; /* of each set's corners */
-};
-
-void csg_clusters_finish(struct csg_clusters *clusters);
+#include "polyhedra/clusters.h"
 
 /* Whether it is a union of shapes, which needs no cutting. */
 bool csg_part_is_union(const struct csg_part *part);

@@ -2,7 +2,8 @@
 /*
  * A plate less a winding row of boxes as convex sets: a point is in one of them where it is in the
  * plate and in none of the boxes, never in two, and there are few sets, each with few corners. So
- * is a ball of many planes in a box, in both orders, less a part of it.
+ * is what a row of wider boxes, which overlap each other, has of that, and a ball of many planes in
+ * a box, in both orders, less a part of it.
  */
 #define DICE_SEED 5
 
@@ -12,7 +13,14 @@
 #include "dice.h"
 #include "polyhedra/evaluate.h"
 
-enum { num_boxes = 60, num_points = 4000, max_sets = 6 * num_boxes, num_tangents = 2000 };
+enum {
+    num_boxes = 60,
+    num_wide_boxes = 300,
+    num_points = 4000,
+    max_plate_sets = 3 * num_boxes,
+    max_sets = 20 * num_boxes,
+    num_tangents = 2000
+};
 
 static struct csg_shape box_shape(const struct csg_map *map)
 {
@@ -28,31 +36,41 @@ static struct csg_shape box_shape(const struct csg_map *map)
     return shape;
 }
 
-static struct csg_map box_map(int i)
+static struct csg_map box_map(double along, double width)
 {
-    const double x = -30.0 + i, y = 6 * sin(0.15 * i), angle = cos(0.15 * i);
+    const double x = -30 + along, y = 6 * sin(0.15 * along), angle = cos(0.15 * along);
     struct csg_map map = csg_map_identity;
     map.m[0][0] = cos(angle);
-    map.m[0][1] = -1.5 * sin(angle);
+    map.m[0][1] = -width * sin(angle);
     map.m[1][0] = sin(angle);
-    map.m[1][1] = 1.5 * cos(angle);
+    map.m[1][1] = width * cos(angle);
     map.m[2][2] = 3;
     map.m[0][3] = x;
     map.m[1][3] = y;
     return map;
 }
 
-static void make_part(struct csg_part *part)
+static void add_row(struct csg_part *part, int num, double width, bool negated)
+{
+    for (int i = 0; i < num; i++) {
+        const struct csg_map map = box_map((double)num_boxes * i / num, width);
+        struct csg_shape shape = box_shape(&map);
+        CHECK(csg_part_add(part, &shape, negated), "memory");
+    }
+}
+
+static void make_part(struct csg_part *part, bool is_wide)
 {
     struct csg_map plate = csg_map_identity;
     plate.m[0][0] = 40;
     plate.m[1][1] = 20;
     struct csg_shape shape = box_shape(&plate);
     CHECK(csg_part_open(part, true) && csg_part_add(part, &shape, false), "memory");
-    for (int i = 0; i < num_boxes; i++) {
-        const struct csg_map map = box_map(i);
-        shape = box_shape(&map);
-        CHECK(csg_part_add(part, &shape, true), "memory");
+    add_row(part, num_boxes, 1.5, true);
+    if (is_wide) {
+        CHECK(csg_part_open(part, false), "memory");
+        add_row(part, num_wide_boxes, 4, false);
+        csg_part_close(part);
     }
     csg_part_close(part);
 }
@@ -81,25 +99,34 @@ static void fill_sets(const struct csg_clusters *clusters, struct csg_shape *set
 static void check_point(const struct csg_part *part, const struct csg_shape *sets, size_t num,
                         struct csg_vec3 p)
 {
-    bool expected = true;
+    bool all = true, any = false, is_wide = false;
     int found = 0;
     for (size_t i = 1; i < part->tree.num; i++) {
         const struct csg_node *leaf = &part->tree.data[i];
-        expected = expected && is_in(&part->shapes.data[leaf->leaf], p) != leaf->negated;
+        const bool is =
+            leaf->op == CSG_LEAF && is_in(&part->shapes.data[leaf->leaf], p) != leaf->negated;
+        if (leaf->op == CSG_OR)
+            is_wide = true;
+        else if (is_wide)
+            any = any || is;
+        else
+            all = all && is;
     }
+    const bool expected = all && (any || !is_wide);
     for (size_t i = 0; i < num; i++)
         found += is_in(&sets[i], p);
     CHECK(found == expected, "[%g, %g, %g] is in %d sets", p.x, p.y, p.z, found);
 }
 
 /* size: of the box that the points are taken from. */
-static void check_part(const struct csg_part *part, struct csg_vec3 size, size_t max_corners)
+static void check_part(const struct csg_part *part, struct csg_vec3 size, size_t most,
+                       size_t max_corners)
 {
     struct csg_clusters clusters = {0};
     static struct csg_shape sets[max_sets];
     CHECK(csg_part_evaluate(part, false, &clusters) == CSG_HULL_DONE, "evaluated");
     const size_t num = clusters.ends.num;
-    CHECK(num > 0 && num <= max_sets, "%zu sets", num);
+    CHECK(num > 0 && num <= most, "%zu sets", num);
     CHECK(clusters.corners.points.num <= max_corners * num, "%zu corners",
           clusters.corners.points.num);
     if (num <= max_sets)
@@ -113,11 +140,11 @@ static void check_part(const struct csg_part *part, struct csg_vec3 size, size_t
     csg_clusters_finish(&clusters);
 }
 
-static void check_plate(void)
+static void check_plate(bool is_wide)
 {
     struct csg_part part = {0};
-    make_part(&part);
-    check_part(&part, csg_vec3(41, 21, 1.1), 12);
+    make_part(&part, is_wide);
+    check_part(&part, csg_vec3(41, 21, 1.1), is_wide ? max_sets : max_plate_sets, 10);
     csg_part_finish(&part);
 }
 
@@ -156,13 +183,14 @@ static void check_ball(bool is_first)
               csg_part_add(&part, &cutter, true),
           "memory");
     csg_part_close(&part);
-    check_part(&part, csg_vec3(1.6, 1.6, 1.6), 2 * num_tangents);
+    check_part(&part, csg_vec3(1.6, 1.6, 1.6), 2, 2 * num_tangents);
     csg_part_finish(&part);
 }
 
 int main(void)
 {
-    check_plate();
+    check_plate(false);
+    check_plate(true);
     check_ball(true);
     check_ball(false);
     return num_failed != 0;
