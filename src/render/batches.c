@@ -8,9 +8,8 @@
 #include "render/turns.h"
 
 static bool add_draw(struct csg_batches *batches, const struct csg_choice *choice,
-                     uint32_t instance)
+                     const struct csg_draw *draw, uint32_t instance)
 {
-    const struct csg_draw *draw = &choice->draw;
     struct csg_batch *last = batches->num ? &batches->data[batches->num - 1] : NULL;
     if (choice->resolver == CSG_RESOLVER_CPU)
         batches->on_cpu++;
@@ -61,10 +60,10 @@ static bool add_crowd(struct csg_batches *batches, struct csgcast_renderer *rend
     return true;
 }
 
-/* Draws choices [begin, end) that have the program and the form of the first of them, and marks
- * them. */
+/* Adds draws [begin, end) that have the program and the form of the first of them, and marks their
+ * choices. */
 static bool add_alike(struct csg_batches *batches, struct csg_choice *choices, size_t begin,
-                      size_t end, struct csg_draw *draws, uint32_t *num_drawn)
+                      size_t end, const struct csg_draw *draws)
 {
     const struct csg_choice first = choices[begin];
     for (size_t i = begin; i < end; i++) {
@@ -72,10 +71,9 @@ static bool add_alike(struct csg_batches *batches, struct csg_choice *choices, s
         if (choice->placed || choice->program != first.program || choice->point != first.point)
             continue;
         choice->placed = true;
-        draws[*num_drawn] = choice->draw;
-        if (!add_draw(batches, choice, *num_drawn))
+        if (!add_draw(batches, choice, &draws[i], (uint32_t)batches->order.num))
             return false;
-        ++*num_drawn;
+        batches->order.data[batches->order.num++] = (uint32_t)i;
     }
     return true;
 }
@@ -83,17 +81,17 @@ static bool add_alike(struct csg_batches *batches, struct csg_choice *choices, s
 /* Objects in the order of the file; the tiles of one do not overlap, so those of one program come
  * together. */
 static bool add_draws(struct csg_batches *batches, struct csg_choice *choices, size_t num,
-                      struct csg_draw *draws)
+                      const struct csg_draw *draws)
 {
-    uint32_t num_drawn = 0;
+    if (!csg_array_reserve(&batches->order, num))
+        return false;
     for (size_t begin = 0, end; begin < num; begin = end) {
         end = begin + 1;
-        while (end < num && choices[begin].draw.tile && choices[end].draw.tile &&
-               choices[end].draw.object == choices[begin].draw.object &&
-               choices[end].draw.layer == choices[begin].draw.layer)
+        while (end < num && draws[begin].tile && draws[end].tile &&
+               draws[end].object == draws[begin].object && draws[end].layer == draws[begin].layer)
             end++;
         for (size_t i = begin; i < end; i++)
-            if (!choices[i].placed && !add_alike(batches, choices, i, end, draws, &num_drawn))
+            if (!choices[i].placed && !add_alike(batches, choices, i, end, draws))
                 return false;
     }
     return true;
@@ -101,7 +99,8 @@ static bool add_draws(struct csg_batches *batches, struct csg_choice *choices, s
 
 /* What the statistics and the passes need to know of all draws. */
 static void note_choice(struct csg_batches *batches, struct csgcast_renderer *renderer,
-                        const struct csg_request *request, struct csg_choice *choice, bool is_first)
+                        const struct csg_request *request, const struct csg_choice *choice,
+                        struct csg_draw *draw, bool is_first)
 {
     const bool overflowed =
         request->resolver == CSG_RESOLVER_ALGORITHM4 && choice->resolver == CSG_RESOLVER_LOOP;
@@ -111,9 +110,9 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
     batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU;
     if (!may_loop)
         return;
-    const struct csg_turns turns = csg_turns_of(&renderer->frame, &choice->draw);
-    choice->draw.instance.turns = (int32_t)fmin(turns.look, CSG_MAX_TURNS);
-    batches->may_give_up |= csg_may_give_up(&choice->draw, &turns);
+    const struct csg_turns turns = csg_turns_of(&renderer->frame, draw);
+    draw->instance.turns = (int32_t)fmin(turns.look, CSG_MAX_TURNS);
+    batches->may_give_up |= csg_may_give_up(draw, &turns);
 }
 
 static bool fill(struct csg_batches *batches, struct csg_chooser *chooser,
@@ -127,7 +126,8 @@ static bool fill(struct csg_batches *batches, struct csg_chooser *chooser,
     for (size_t i = 0; i < num; i++) {
         if (!csg_chooser_choose(chooser, &draws[i], &choices[i]))
             return false;
-        note_choice(batches, renderer, request, &choices[i],
+        draws[i].instance.side = choices[i].point ? draws[i].instance.side : 0;
+        note_choice(batches, renderer, request, &choices[i], &draws[i],
                     i == 0 || draws[i - 1].object != draws[i].object);
     }
     return add_draws(batches, choices, num, draws) || csg_log_memory(&renderer->log);
@@ -143,4 +143,10 @@ bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *rend
     free(choices);
     csg_chooser_destroy(chooser);
     return ok && add_crowd(batches, renderer);
+}
+
+void csg_batches_finish(struct csg_batches *batches)
+{
+    free(batches->data);
+    free(batches->order.data);
 }

@@ -236,9 +236,7 @@ static int max_point(struct csg_gl *gl)
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,
                         struct csg_choice *choice)
 {
-    choice->draw = *draw;
     choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point;
-    choice->draw.instance.side = choice->point ? draw->instance.side : 0;
     choice->program = choose_program(chooser, draw, &choice->resolver);
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }

@@ -7,9 +7,8 @@
 
 #include "render/renderer.h"
 
-/* A draw with what was chosen for it. */
+/* What was chosen for a draw. */
 struct csg_choice {
-    struct csg_draw draw;
     GLuint program, rear; /* rear: of the far side, 0: it does not show */
     enum csg_resolver resolver;
     bool point;  /* drawn as a point */

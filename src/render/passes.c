@@ -56,6 +56,7 @@ static bool is_in_strip(const struct csg_picture *picture, const struct csg_draw
 static void draw_batch(const struct csg_picture *picture, const struct csg_batch *batch)
 {
     const struct csg_draw *draws = picture->renderer->frame.draws.data;
+    const uint32_t *order = picture->batches.order.data;
     const uint32_t end = batch->first + batch->num;
     struct csg_batch part = *batch;
     if (batch->run || picture->num_rows == picture->request->height) {
@@ -64,7 +65,7 @@ static void draw_batch(const struct csg_picture *picture, const struct csg_batch
     }
     for (uint32_t i = batch->first; i < end; i += part.num + 1) {
         part.first = i;
-        for (part.num = 0; i + part.num < end && is_in_strip(picture, &draws[i + part.num]);)
+        for (part.num = 0; i + part.num < end && is_in_strip(picture, &draws[order[i + part.num]]);)
             part.num++;
         if (part.num > 0)
             draw_all_of(picture, &part);

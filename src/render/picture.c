@@ -93,9 +93,9 @@ static bool prepare_shading(struct csg_picture *picture)
     picture->bytes = image->rgba8 && !image->rgba && !picture->want_geometry && !picture->want_leaf;
     for (size_t i = 0; i < picture->batches.num; i++)
         picture->bytes &= csg_batch_is_opaque(&picture->batches.data[i]);
-    csg_bound_draws(&picture->renderer->frame, picture->rect);
     if (picture->batches.direct)
         return true;
+    csg_bound_draws(&picture->renderer->frame, picture->rect);
     picture->shade =
         csg_programs_get(&picture->renderer->programs,
                          csg_source_shade(picture->want_leaf, picture->bytes,
@@ -181,11 +181,12 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     if (!fill_frame(&picture, &params))
         return false;
     renderer->stats.cpu_ms = csg_clock_ms() - start;
-    const bool ok =
-        csg_batches_fill(&picture.batches, renderer, request) && prepare_shading(&picture) &&
-        csg_upload_frame(renderer, request->scene->keeps_structure) && draw_strips(&picture);
+    const bool ok = csg_batches_fill(&picture.batches, renderer, request) &&
+                    prepare_shading(&picture) &&
+                    csg_upload_frame(renderer, &picture.batches, request->scene->keeps_structure) &&
+                    draw_strips(&picture);
     csg_picture_count(&picture);
-    free(picture.batches.data);
+    csg_batches_finish(&picture.batches);
     return ok;
 }
 
@@ -204,7 +205,7 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
         return;
     picture.shade =
         csg_programs_get(&renderer->programs, csg_source_shade(false, true, CSG_FEATURE_SHARED));
-    if (picture.shade && csg_upload_frame(renderer, false) &&
+    if (picture.shade && csg_upload_frame(renderer, &picture.batches, false) &&
         csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, &use)) {
         csg_passes_draw_nothing(&picture);
         renderer->gl->Finish();

@@ -75,13 +75,14 @@ struct csg_batch {
     bool translucent;
     bool points;         /* instances are squares, each drawn as one */
     uint32_t object;     /* of the first instance; of all where they are not simply opaque */
-    uint32_t first, num; /* instances */
+    uint32_t first, num; /* instances, numbered as csg_batches.order has them */
     const struct csg_crowd_run *run; /* NULL: other objects than a crowd's */
 };
 
 struct csg_batches {
     struct csg_batch *data;
     size_t num, capacity;
+    CSG_ARRAY(uint32_t) order; /* the frame's draws, one batch's after the other's */
     size_t drawn[CSG_NUM_RESOLVERS];
     size_t on_cpu; /* objects in double without a driver that has it */
     size_t drawn_single;
@@ -100,7 +101,8 @@ void csg_cells_drop(struct csgcast_renderer *renderer);
 
 /* Hands the frame's texels and instances to the driver. keeps: as in csg_buffer_fill. false, with a
  * message, on failure. */
-bool csg_upload_frame(struct csgcast_renderer *renderer, bool keeps);
+bool csg_upload_frame(struct csgcast_renderer *renderer, const struct csg_batches *batches,
+                      bool keeps);
 
 /* Casts the pixels of the strip at first_row (from the bottom) that visible marks as
  * CSG_UNFINISHED on the CPU. visible: two words a pixel; NULL where colours were drawn directly, of
@@ -112,5 +114,6 @@ bool csg_unfinished_fill(struct csgcast_renderer *renderer, const struct csg_req
  * kept. false, with a message, on failure. */
 bool csg_batches_fill(struct csg_batches *batches, struct csgcast_renderer *renderer,
                       const struct csg_request *request);
+void csg_batches_finish(struct csg_batches *batches);
 
 #endif

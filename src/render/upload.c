@@ -47,15 +47,16 @@ static bool upload_data(struct csgcast_renderer *renderer, bool keeps)
     return true;
 }
 
-static bool upload_instances(struct csgcast_renderer *renderer, bool keeps)
+static bool upload_instances(struct csgcast_renderer *renderer, const struct csg_batches *batches,
+                             bool keeps)
 {
     struct csg_gl *gl = renderer->gl;
-    const size_t num = renderer->frame.draws.num;
+    const size_t num = batches->order.num;
     struct csg_instance *instances = malloc((num + 1) * sizeof *instances);
     if (!instances)
         return csg_log_memory(&renderer->log);
     for (size_t i = 0; i < num; i++)
-        instances[i] = renderer->frame.draws.data[i].instance;
+        instances[i] = renderer->frame.draws.data[batches->order.data[i]].instance;
     renderer->stats.bytes_uploaded += csg_buffer_fill(
         gl, GL_ARRAY_BUFFER, &renderer->instance_buffer, num * sizeof *instances, instances, keeps);
     free(instances);
@@ -84,12 +85,13 @@ static void upload_owners(struct csgcast_renderer *renderer, bool keeps)
     renderer->stats.texture_bytes += bytes;
 }
 
-bool csg_upload_frame(struct csgcast_renderer *renderer, bool keeps)
+bool csg_upload_frame(struct csgcast_renderer *renderer, const struct csg_batches *batches,
+                      bool keeps)
 {
     const double start = csg_clock_ms();
     ensure_buffers(renderer);
     size_t cells = 0;
-    const bool ok = upload_data(renderer, keeps) && upload_instances(renderer, keeps) &&
+    const bool ok = upload_data(renderer, keeps) && upload_instances(renderer, batches, keeps) &&
                     csg_cells_upload(renderer, &cells);
     upload_owners(renderer, keeps);
     renderer->stats.texture_bytes += renderer->frame.cells.num ? renderer->cells.buffer.bytes : 0;
