@@ -9,9 +9,12 @@
 /* Unit eigenvector of the larger eigenvalue, by size, of [xx xy; xy yy]. */
 static void major_axis(double xx, double xy, double yy, double axis[2])
 {
-    const double angle = 0.5 * atan2(2 * xy, xx - yy);
-    axis[0] = cos(angle);
-    axis[1] = sin(angle);
+    /* Half of the angle of (xx - yy, 2 xy), of whose cosine and sine the larger comes first. */
+    const double size = hypot(xx - yy, 2 * xy);
+    const double c = size > 0 ? (xx - yy) / size : 1, s = size > 0 ? 2 * xy / size : 0;
+    const double larger = sqrt(0.5 * (1 + fabs(c))), smaller = 0.5 * s / larger;
+    axis[0] = c < 0 ? fabs(smaller) : larger;
+    axis[1] = c < 0 ? copysign(larger, s) : smaller;
     const double along =
         xx * axis[0] * axis[0] + 2 * xy * axis[0] * axis[1] + yy * axis[1] * axis[1];
     if (fabs(xx + yy - along) > fabs(along)) {

@@ -169,25 +169,57 @@ static struct csg_rect clip_rect(const struct csg_screen *screen, const double l
         {fmin(hi[0] + RECT_MARGIN, screen->width), fmin(hi[1] + RECT_MARGIN, screen->height)}};
 }
 
+/* dot(n, p - from) of the points p of a mapped box, as the frame's coordinates have it: at their
+ * origin, and its steps along their axes. */
+struct height {
+    double base;
+    struct csg_vec3 step;
+};
+
+static struct height height_of(const struct csg_map *frame, struct csg_vec3 n, struct csg_vec3 from)
+{
+    const struct csg_vec3 origin = csg_vec3(frame->m[0][3], frame->m[1][3], frame->m[2][3]);
+    return (struct height){csg_dot(n, csg_sub(origin, from)), csg_map_transposed(frame, n)};
+}
+
+static double height_at(const struct height *height, struct csg_vec3 p)
+{
+    return height->base + csg_dot(height->step, p);
+}
+
 struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct csg_map *frame,
                                 const struct csg_box *box)
 {
     const struct csg_rect all = {{0, 0}, {screen->width, screen->height}};
     const struct csg_rect nothing = {{1, 1}, {0, 0}};
+    const bool flat = screen->orthographic;
+    const struct csg_vec3 steps[2] = {flat ? screen->origin_dx : screen->direction_dx,
+                                      flat ? screen->origin_dy : screen->direction_dy};
+    const struct csg_vec3 first = flat ? csg_vec3(0, 0, 0) : screen->direction;
     double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+    struct height depth, across[2];
     if (!csg_box_is_finite(box))
         return all;
+    depth = height_of(frame, screen->forward, screen->origin);
+    for (int j = 0; j < 2; j++)
+        across[j] = height_of(frame, steps[j], screen->origin);
     int num_behind = 0;
     for (int i = 0; i < 8; i++) {
-        double pixel[2];
-        if (!project(screen, csg_map_point(frame, csg_box_corner(box, i)), pixel)) {
+        const struct csg_vec3 corner = csg_box_corner(box, i);
+        const double t = flat ? 1 : height_at(&depth, corner);
+        if (!(t > 0)) {
             num_behind++;
             continue;
         }
         for (int j = 0; j < 2; j++) {
-            lo[j] = fmin(lo[j], pixel[j]);
-            hi[j] = fmax(hi[j], pixel[j]);
+            const double at = height_at(&across[j], corner) / t - csg_dot(first, steps[j]);
+            lo[j] = csg_least(lo[j], at);
+            hi[j] = csg_most(hi[j], at);
         }
+    }
+    for (int j = 0; j < 2; j++) {
+        lo[j] /= csg_dot(steps[j], steps[j]);
+        hi[j] /= csg_dot(steps[j], steps[j]);
     }
     if (num_behind)
         return num_behind == 8 ? nothing : all;

@@ -119,9 +119,13 @@ static void add_slot(struct csg_text *text, const struct csg_chain *chain, int i
 static void add_reading(struct csg_text *text, const struct csg_chain *chain, int i)
 {
     add_slot(text, chain, i);
-    csg_text_add(text,
-                 "    bool b%d;\n    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n",
-                 i, i, i, i, i, i, i);
+    csg_text_add(text, "    bool b%d;\n", i);
+    if (chain->planes > 1)
+        csg_text_add(text, "    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n", i, i,
+                     i, i, i, i);
+    else
+        csg_text_add(text, "    csg_read_slot_pair(p, object.xy, h%d, e%d, x%d, b%d);\n", i, i, i,
+                     i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    csg_read_slot_quadric(p, b%d, h%d, q%d, r%d, s%d);\n", i, i, i, i,
                      i);
