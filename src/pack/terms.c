@@ -267,7 +267,7 @@ static void fill_leaf(const struct csg_terms *terms, const struct csg_object *ob
 }
 
 /* Nodes that one core fills at a time. */
-#define CHUNK 64
+#define CHUNK 128
 
 struct filling {
     const struct csg_terms *terms;
