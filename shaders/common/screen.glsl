@@ -3,8 +3,9 @@
 
 /* Scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t. */
 flat in vec4 csg_screen_depth;
-flat in vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
-flat in vec3 csg_screen_place; /* the strip's first pixel from the reference one, bias of depths */
+flat in vec4 csg_screen_key; /* a, b, key at infinity, 1: orthographic */
+/* The strip's first pixel from the reference one, bias of depths, key at infinity. */
+flat in vec4 csg_screen_place;
 
 /* The pixel, from the reference pixel: whole numbers and a half, so exact. */
 vec2 csg_pixel()
