@@ -3,6 +3,8 @@
 /* How tiles are drawn: by which programs, and the same as the reference has it. */
 
 #include <math.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -166,9 +168,54 @@ static void check_kept(const struct example *example)
     free(text);
 }
 
+/* Colours as programs write them or, with z, as the shading pass does. */
+static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int size,
+                        uint8_t *colors, float *z)
+{
+    const struct csgcast_scene_params fixed = {.fixed = true};
+    const struct csgcast_view view = {.width = size, .height = size};
+    const struct csgcast_image image = {.rgba8 = colors, .z = z};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &fixed);
+    const bool ok = renderer && scene && csgcast_render(renderer, scene, &view, &image);
+    csgcast_scene_destroy(scene);
+    return ok;
+}
+
+/* A plate that is drawn alone needs no depths; with a post in it, before it in the file, it does,
+ * also in the renderer that has programs for the plate alone. */
+static void check_post(const struct example *example)
+{
+    const size_t bytes = 4 * (size_t)example->size * (size_t)example->size;
+    const struct csgcast_renderer_params params = {0};
+    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
+    char *alone = plate(example->solid), *both = alone ? malloc(strlen(alone) + 150) : NULL;
+    uint8_t *direct = malloc(bytes), *shaded = malloc(bytes);
+    float *z = malloc(bytes / 4 * sizeof *z);
+    bool ok = both && direct && shaded && z;
+    if (both)
+        sprintf(both,
+                "multmatrix([[1, 0, 0, 32], [0, 1, 0, 32], [0, 0, 1, 0], [0, 0, 0, 1]]) "
+                "cylinder(h = 30, r1 = 4, r2 = 4);\n%s",
+                alone);
+    const char *texts[] = {alone, both, alone};
+    for (int i = 0; i < 3 && ok; i++) {
+        ok = draw_colors(renderer, texts[i], example->size, direct, NULL) &&
+             draw_colors(renderer, texts[i], example->size, shaded, z);
+        CHECK(ok && memcmp(direct, shaded, bytes) == 0, "%s, picture %d", example->name, i);
+    }
+    CHECK(ok, "%s", example->name);
+    csgcast_renderer_destroy(renderer);
+    free(alone);
+    free(both);
+    free(direct);
+    free(shaded);
+    free(z);
+}
+
 int main(void)
 {
     check_kept(&examples[0]);
+    check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
         check_example(&examples[i]);
     return num_failed != 0;
