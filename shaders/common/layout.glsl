@@ -54,8 +54,8 @@
  *     header       texels that follow, 0, flags, 0
  *     place        what conics count pixels from, from the reference pixel
  *     start        whether rays start inside; most crossings; flat bands; all bands
- *     flat bands   head, three texels of conics, a plane
- *     other bands  head, three texels of conics, two planes, a quadric (of 3 texels, or 5 in
+ *     flat bands   head, three terms of conics, a plane
+ *     other bands  head, three terms of conics, two planes, a quadric (of 3 terms, or 5 in
  *                  programs with CSG_HAS_STIFF)
  * A band's head: CSG_BAND_..., attribute block / 4, face, 1 for the inner side of a ring. Its
  * conics are negative where the ray passes inside of a circle when it meets the circle's plane:
@@ -67,7 +67,7 @@
 #define CSG_BAND_PLACE 1  /* of the texels */
 #define CSG_BAND_START 2
 #define CSG_BAND_FIRST 3
-#define CSG_BAND_TERMS 4 /* place of a band's planes from its head */
+#define CSG_BAND_CONICS 3 /* terms before a band's planes */
 
 /* Operands of different nesting that wait at once. The deepest operand of a node comes first, so
  * this holds trees of 2^32 leaves. */

@@ -7,11 +7,13 @@
 #ifdef CSG_DOUBLE
 #define csg_real double
 #define csg_real2 dvec2
+#define csg_real3 dvec3
 #define csg_real4 dvec4
 #define CSG_TERM_TEXELS 2
 #else
 #define csg_real float
 #define csg_real2 vec2
+#define csg_real3 vec3
 #define csg_real4 vec4
 #define CSG_TERM_TEXELS 1
 #endif

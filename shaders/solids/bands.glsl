@@ -12,7 +12,7 @@ struct csg_bands {
     int band;           /* crossed at k: place of its head, from the record */
 };
 
-bool csg_is_in_circle(vec3 c, vec3 cc, vec2 at)
+bool csg_is_in_circle(csg_real3 c, csg_real3 cc, vec2 at)
 {
     return c.x + (c.y * at.x + c.z * at.y) +
            (cc.x * at.x * at.x + cc.y * at.x * at.y + cc.z * at.y * at.y) < 0.0;
@@ -21,9 +21,9 @@ bool csg_is_in_circle(vec3 c, vec3 cc, vec2 at)
 /* Whether the ray passes inside of the circles of the band whose head is at p. */
 bvec2 csg_band_circles(int p, vec2 at)
 {
-    vec4 c0 = csg_texel(p + 1), c1 = csg_texel(p + 2), c2 = csg_texel(p + 3);
-    return bvec2(csg_is_in_circle(c0.xyz, vec3(c0.w, c1.xy), at),
-                 csg_is_in_circle(vec3(c1.zw, c2.x), c2.yzw, at));
+    csg_real4 c0 = csg_term(p + 1, 0), c1 = csg_term(p + 1, 1), c2 = csg_term(p + 1, 2);
+    return bvec2(csg_is_in_circle(c0.xyz, csg_real3(c0.w, c1.xy), at),
+                 csg_is_in_circle(csg_real3(c1.zw, c2.x), c2.yzw, at));
 }
 
 void csg_cross_band(csg_real key, bool crosses, csg_real k, int band, inout csg_bands bands)
@@ -37,7 +37,7 @@ void csg_cross_band(csg_real key, bool crosses, csg_real k, int band, inout csg_
 /* The two crossings of a band of a cone, and whether the ray has them. */
 csg_real2 csg_band_crossings(int p, vec2 d, vec2 at, out bvec2 crosses)
 {
-    int code = int(csg_texel(p).x), terms = p + CSG_BAND_TERMS;
+    int code = int(csg_texel(p).x), terms = p + 1 + CSG_BAND_CONICS * CSG_TERM_TEXELS;
     bvec2 circles = csg_band_circles(p, at);
     csg_real first = csg_plane(csg_term(terms, 0), d), second = csg_plane(csg_term(terms, 1), d);
     bool within = (code & CSG_BAND_WITHIN) != 0, by_first = within && first < second;
@@ -67,17 +67,17 @@ csg_bands csg_bands_at(int p, vec2 d, csg_real k)
     vec2 at = d - csg_texel(p + CSG_BAND_PLACE).xy;
     int begin = p + CSG_BAND_FIRST;
     int num_flat = int(start.z), num_curved = int(start.w) - num_flat;
-    int flats = CSG_BAND_TERMS + CSG_TERM_TEXELS;
+    int planes = 1 + CSG_BAND_CONICS * CSG_TERM_TEXELS, flats = planes + CSG_TERM_TEXELS;
 #ifdef CSG_HAS_STIFF
-    int curved = CSG_BAND_TERMS + (2 + CSG_QUADRIC_TEXELS) * CSG_TERM_TEXELS;
+    int curved = planes + (2 + CSG_QUADRIC_TEXELS) * CSG_TERM_TEXELS;
 #else
-    int curved = CSG_BAND_TERMS + 5 * CSG_TERM_TEXELS;
+    int curved = planes + 5 * CSG_TERM_TEXELS;
 #endif
     csg_bands bands = csg_bands(start.x != 0.0, start.x != 0.0, CSG_NEVER, CSG_BAND_FIRST);
     for (int i = 0; i < num_flat; i++) {
         int band = begin + i * flats;
         bvec2 circles = csg_band_circles(band, at);
-        csg_cross_band(csg_plane(csg_term(band + CSG_BAND_TERMS, 0), d), circles.x != circles.y, k,
+        csg_cross_band(csg_plane(csg_term(band + planes, 0), d), circles.x != circles.y, k,
                        band - p, bands);
     }
     begin += num_flat * flats;

@@ -172,7 +172,7 @@ static size_t count_bands(const struct csg_band_list *list, const struct csg_ter
 
 /* Any factor above 0 will do: that which makes it about 1 over the tile. */
 static void put_conic(const struct csg_bands *bands, uint32_t circle,
-                      const struct csg_tile_box *tile, float to[6])
+                      const struct csg_tile_box *tile, double to[6])
 {
     double c[6];
     move_conic(bands->circles.data[circle].conic, tile, c);
@@ -180,7 +180,7 @@ static void put_conic(const struct csg_bands *bands, uint32_t circle,
     const double size = fabs(c[0]) + x * fabs(c[1]) + y * fabs(c[2]) + x * x * fabs(c[3]) +
                         x * y * fabs(c[4]) + y * y * fabs(c[5]);
     for (int i = 0; i < 6; i++)
-        to[i] = (float)(size > 0 ? c[i] / size : 0);
+        to[i] = size > 0 ? c[i] / size : 0;
 }
 
 static float *put_band(const struct csg_terms *terms, const struct csg_band *band,
@@ -191,9 +191,13 @@ static float *put_band(const struct csg_terms *terms, const struct csg_band *ban
     to[1] = (float)csg_terms_of(terms, band->leaf)->attributes;
     to[2] = (float)band->face;
     to[3] = band->inner;
-    put_conic(bands, band->circles[0], tile, to + 4);
-    put_conic(bands, band->circles[1], tile, to + 10);
-    to = csg_record_put_term(terms, band->planes[0], to + 16);
+    to += 4;
+    double conics[4 * CSG_BAND_CONICS];
+    put_conic(bands, band->circles[0], tile, conics);
+    put_conic(bands, band->circles[1], tile, conics + 6);
+    for (int i = 0; i < CSG_BAND_CONICS; i++)
+        to = csg_record_put_term(terms, conics + (size_t)4 * (size_t)i, to);
+    to = csg_record_put_term(terms, band->planes[0], to);
     if (band->flat)
         return to;
     to = csg_record_put_term(terms, band->planes[1], to);
@@ -208,7 +212,7 @@ bool csg_band_list_put(const struct csg_band_list *list, struct csg_terms *terms
     const struct csg_bands *bands = bands_of(terms);
     const uint32_t stack = step->leaf - (uint32_t)terms->scene->num_leaves;
     const size_t num = count_bands(list, terms, stack);
-    const size_t most = CSG_BAND_TERMS + (size_t)2 * (2 + CSG_QUADRIC_TEXELS);
+    const size_t most = 1 + (size_t)2 * (CSG_BAND_CONICS + 2 + CSG_QUADRIC_TEXELS);
     float *header = csg_frame_add_texels(terms->frame, CSG_BAND_FIRST + num * most);
     size_t num_flat = 0;
     if (!header)
