@@ -26,8 +26,10 @@ static bool check_format(const char *output, const char *format)
     return false;
 }
 
-static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output)
+static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output,
+                                void *user)
 {
+    (void)user;
     const char *format = options->write.format;
     if (!check_format(output, format))
         return CSG_EXIT_OUTPUT;
@@ -41,7 +43,7 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
 
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
-    return csg_cli_with_output(options, "pov", run_to);
+    return csg_cli_with_output(options, "pov", run_to, NULL);
 }
 
 const struct csg_cli_command csg_command_export = {

@@ -209,6 +209,12 @@ static enum csg_cli_exit render_animation(const struct csg_cli_options *options,
     return result;
 }
 
+/* What scenes are drawn with. */
+struct batch {
+    struct csgcast_renderer *renderer; /* made when the first one has an image to go to */
+    bool ends;                         /* with this picture the process ends */
+};
+
 static bool can_animate(const struct csg_cli_options *options, const char *output)
 {
     if (!csg_path_ends(options->input, ".scad"))
@@ -232,55 +238,79 @@ static void warn_empty(const struct csg_cli_options *options, const struct csgca
 }
 
 static enum csg_cli_exit render_still(const struct csg_cli_options *options, const char *output,
-                                      struct csgcast_renderer *renderer)
+                                      const struct batch *batch)
 {
     struct csgcast_scene *scene = csgcast_scene_load(options->input, &options->scene);
-    const struct drawing drawing = {options, scene, renderer};
+    const struct drawing drawing = {options, scene, batch->renderer};
     const enum csg_cli_exit result = scene ? render_scene(&drawing, output) : CSG_EXIT_FAILED;
     if (scene)
         warn_empty(options, scene);
-    if (result == CSG_EXIT_OK && options->renderer.backend != CSGCAST_BACKEND_REFERENCE)
+    if (batch->ends && result == CSG_EXIT_OK)
         csg_ending_now((int)result);
     csgcast_scene_destroy(scene);
     return result;
 }
 
-static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output)
+static bool start_renderer(const struct csg_cli_options *options, struct batch *batch)
 {
+    struct csgcast_renderer_params params = options->renderer;
+    params.background = true;
+    if (!batch->renderer)
+        batch->renderer = csgcast_renderer_create(&params);
+    return batch->renderer != NULL;
+}
+
+static enum csg_cli_exit run_to(const struct csg_cli_options *options, const char *output,
+                                void *user)
+{
+    struct batch *batch = user;
     if (options->num_animated > 0 && !can_animate(options, output))
         return CSG_EXIT_USAGE;
     if (!is_png(output, options->write.format)) /* libpng is there */
         csgcast_image_preload();
-    struct csgcast_renderer_params params = options->renderer;
-    params.background = true;
-    struct csgcast_renderer *renderer = csgcast_renderer_create(&params);
-    const enum csg_cli_exit result = !renderer ? CSG_EXIT_FAILED
-                                     : options->num_animated > 0
-                                         ? render_animation(options, output, renderer)
-                                         : render_still(options, output, renderer);
-    csgcast_renderer_destroy(renderer);
-    return result;
+    if (!start_renderer(options, batch))
+        return CSG_EXIT_FAILED;
+    return options->num_animated > 0 ? render_animation(options, output, batch->renderer)
+                                     : render_still(options, output, batch);
 }
 
+/* The first failure is what is told; the others are drawn all the same. */
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
+    struct batch batch = {.renderer = NULL};
+    enum csg_cli_exit first = CSG_EXIT_OK;
+    if (!csg_cli_check_outputs(options, "png"))
+        return CSG_EXIT_USAGE;
     csg_heap_begin();
-    return csg_cli_with_output(options, "png", run_to);
+    for (size_t i = 0; i < options->num_inputs; i++) {
+        struct csg_cli_options one = *options;
+        one.input = options->inputs[i];
+        batch.ends = i + 1 == options->num_inputs && first == CSG_EXIT_OK &&
+                     options->renderer.backend != CSGCAST_BACKEND_REFERENCE;
+        const enum csg_cli_exit result = csg_cli_with_output(&one, "png", run_to, &batch);
+        first = first == CSG_EXIT_OK ? result : first;
+    }
+    csgcast_renderer_destroy(batch.renderer);
+    return first;
 }
 
 const struct csg_cli_command csg_command_render = {
     .name = "render",
     .bit = CSG_COMMAND_RENDER,
     .summary = "draw a scene into an image file",
-    .usage = "FILE [-o IMAGE] [OPTION...]",
-    .text = "Draws a .csg file, or a .scad file by way of the installed openscad. FILE - is .csg\n"
-            "text on standard input. The options are OpenSCAD's where it has one.\n",
+    .usage = "FILE... [-o IMAGE] [OPTION...]",
+    .text =
+        "Draws .csg files, or .scad files by way of the installed openscad. FILE - is .csg text\n"
+        "on standard input. Several files become an image each. The options are OpenSCAD's\n"
+        "where it has one.\n",
+    .many = true,
     .tail = "  csgcast render part.scad -o part.png\n"
             "  csgcast render part.scad -o part.png --imgsize=1024,768 --projection=o\n"
             "  csgcast render part.csg -o part.png --camera=0,0,0,55,0,25,140\n"
             "  csgcast render part.scad -D 'width=30' -o wide.png\n"
             "  csgcast render part.scad -p part.json -P large -o large.png\n"
             "  csgcast render engine.scad --animate=60 -o frame.png\n"
+            "  csgcast render *.scad --imgsize=256,256\n"
             "  csgcast render part.csg -o part.exr --aov=Z,N,id\n"
             "  openscad -o - --export-format csg part.scad | csgcast render - -o - > part.png\n",
     .run = run,

@@ -66,7 +66,7 @@ static enum csg_cli_exit check_output(const char *input, const char *output)
 }
 
 enum csg_cli_exit csg_cli_with_output(const struct csg_cli_options *options, const char *extension,
-                                      csg_cli_output_fn *run)
+                                      csg_cli_output_fn *run, void *user)
 {
     if (is_stream(options->input) && !options->output) {
         csg_cli_error("a scene from standard input needs -o FILE");
@@ -81,7 +81,48 @@ enum csg_cli_exit csg_cli_with_output(const struct csg_cli_options *options, con
     }
     enum csg_cli_exit result = check_output(options->input, output);
     if (result == CSG_EXIT_OK)
-        result = run(options, output);
+        result = run(options, output, user);
     free(named);
     return result;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    char *const *x = a, *const *y = b;
+    return strcmp(*x, *y);
+}
+
+static bool are_different(char **names, size_t num)
+{
+    qsort(names, num, sizeof *names, compare_names);
+    for (size_t i = 1; i < num; i++) {
+        if (strcmp(names[i - 1], names[i]) != 0)
+            continue;
+        csg_cli_error("several of the scenes would become %s", names[i]);
+        return false;
+    }
+    return true;
+}
+
+bool csg_cli_check_outputs(const struct csg_cli_options *options, const char *extension)
+{
+    const char *format = options->write.format ? options->write.format : extension;
+    const size_t num = options->num_inputs;
+    size_t made = 0;
+    if (num < 2)
+        return true;
+    if (options->output) {
+        csg_cli_error("-o names one file: of several scenes each becomes one of its own name");
+        return false;
+    }
+    char **names = calloc(num, sizeof *names);
+    while (names && made < num && (names[made] = default_output(options->inputs[made], format)))
+        made++;
+    if (made < num)
+        csg_cli_error("out of memory");
+    const bool good = made == num && are_different(names, num);
+    while (made > 0)
+        free(names[--made]);
+    free(names);
+    return good;
 }

@@ -30,6 +30,24 @@ expect 0 "format against extension" render part.csg "${small[@]}" -o folder/x --
 check "folder/x is a PNG" is_png folder/x
 rm folder/x
 
+# Several scenes in one process, each as if it were the only one. One that fails stops no other.
+echo 'sphere(r = 4);' >ball.csg
+for name in part ball; do
+    expect 0 "$name alone" render "$name.csg" "${small[@]}"
+    mv "$name.png" "folder/$name.png"
+done
+expect 0 "two scenes" render part.csg ball.csg "${small[@]}"
+is_silent
+check "the first is drawn" cmp part.png folder/part.png
+check "the second is drawn" cmp ball.png folder/ball.png
+rm part.png ball.png
+expect 1 "three scenes, one of which fails" render part.csg broken.csg ball.csg "${small[@]}"
+says "broken.csg:1:14"
+check "the one before is drawn" cmp part.png folder/part.png
+check "the one after is drawn" cmp ball.png folder/ball.png
+check "the broken one is not" test ! -e broken.png
+rm part.png ball.png folder/*.png ball.csg
+
 # A PNG does without OpenImageIO, whose libraries take longer to load than the picture.
 LD_DEBUG=files "$csgcast" render part.csg "${small[@]}" -o x.png 2>loaded
 check "a PNG loads libpng" grep -q libpng loaded

@@ -38,8 +38,12 @@ says "csgcast render cube.csg"
 expect 2 "help of an unknown command" help nothing
 expect 2 "no scene" render
 says "which scene"
-expect 2 "two scenes" render cube.csg cube.csg
+expect 2 "two scenes" info cube.csg cube.csg
 says "more than one scene"
+expect 2 "two scenes of one name" render cube.csg folder/cube.csg
+says "several of the scenes would become cube.png"
+expect 2 "two scenes, one image" render cube.csg other.csg -o x.png
+says "-o names one file"
 expect 2 "empty name" render ''
 expect 2 "unknown option" render cube.csg --imgsiz=3,3
 says "did you mean --imgsize"
