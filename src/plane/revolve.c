@@ -34,6 +34,9 @@ struct lathe {
 /* Coordinates below this share of the largest, or below the rounding, are on the axis. */
 #define ON_AXIS 1e-9
 
+/* A profile that turns inwards by less is straight: radius per height. */
+#define STRAIGHT 1e-9
+
 /* ---- the profile -------------------------------------------------------------------------- */
 
 static void extend(struct csg_profile *profile, double x)
@@ -239,18 +242,29 @@ static double radius_at(const struct lathe *lathe, uint32_t edge, uint32_t level
     return x <= lathe->profile->snap ? 0 : x;
 }
 
+static struct csg_lift lift_of(const struct lathe *lathe, const struct trapezoid *trapezoid,
+                               uint32_t edge)
+{
+    const double *levels = lathe->profile->sweep.levels.data;
+    return (struct csg_lift){levels[trapezoid->begin], radius_at(lathe, edge, trapezoid->begin),
+                             levels[trapezoid->end], radius_at(lathe, edge, trapezoid->end)};
+}
+
+static struct csg_lift outer_lift(const struct lathe *lathe, const struct trapezoid *trapezoid)
+{
+    return lift_of(lathe, trapezoid, lathe->flip > 0 ? trapezoid->left : trapezoid->right);
+}
+
+static struct csg_lift inner_lift(const struct lathe *lathe, const struct trapezoid *trapezoid)
+{
+    return lift_of(lathe, trapezoid, lathe->flip > 0 ? trapezoid->right : trapezoid->left);
+}
+
 /* The outer edge's frustum without the inner one's. */
 static bool add_ring(struct lathe *lathe, const struct sector *sector,
                      const struct trapezoid *trapezoid)
 {
-    const double *levels = lathe->profile->sweep.levels.data;
-    const double z0 = levels[trapezoid->begin], z1 = levels[trapezoid->end];
-    const uint32_t outer = lathe->flip > 0 ? trapezoid->left : trapezoid->right;
-    const uint32_t inner = lathe->flip > 0 ? trapezoid->right : trapezoid->left;
-    const struct csg_lift out = {z0, radius_at(lathe, outer, trapezoid->begin), z1,
-                                 radius_at(lathe, outer, trapezoid->end)};
-    const struct csg_lift in = {z0, radius_at(lathe, inner, trapezoid->begin), z1,
-                                radius_at(lathe, inner, trapezoid->end)};
+    const struct csg_lift out = outer_lift(lathe, trapezoid), in = inner_lift(lathe, trapezoid);
     if (out.s0 <= 0 && out.s1 <= 0)
         return true;
     if (!csg_part_open(lathe->part, true) || !add_frustum(lathe, sector, &out, false) ||
@@ -279,6 +293,56 @@ static bool add_sectors(struct lathe *lathe)
         csg_part_close(lathe->part);
     return ok;
 }
+
+/* ---- convex turns --------------------------------------------------------------------------- */
+
+/* Of a profile that is stacked on the axis: its radius never grows faster than below. */
+static bool is_convex(const struct lathe *lathe)
+{
+    const struct trapezoid *trapezoids = lathe->trapezoids.data;
+    double slope = INFINITY, radius = 0;
+    for (size_t i = 0; i < lathe->trapezoids.num; i++) {
+        const struct csg_lift out = outer_lift(lathe, &trapezoids[i]);
+        const struct csg_lift in = inner_lift(lathe, &trapezoids[i]);
+        const double next = (out.s1 - out.s0) / (out.z1 - out.z0);
+        const bool goes_on = i == 0 || (trapezoids[i].begin == trapezoids[i - 1].end &&
+                                        fabs(out.s0 - radius) <= lathe->profile->snap);
+        if (in.s0 > 0 || in.s1 > 0 || !goes_on || next > slope + STRAIGHT * (1 + fabs(next)))
+            return false;
+        slope = next;
+        radius = out.s1;
+    }
+    return true;
+}
+
+/* All facets together. */
+static bool add_convex(struct lathe *lathe, const struct sector *sector)
+{
+    const double *levels = lathe->profile->sweep.levels.data;
+    const size_t num = lathe->trapezoids.num;
+    struct csg_lift all = {levels[lathe->trapezoids.data[0].begin], 0,
+                           levels[lathe->trapezoids.data[num - 1].end], 0};
+    struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
+    const struct csg_box section = sector_box(sector, 1);
+    bool ok = csg_part_open(lathe->part, false) && csg_lift_add_caps(&all, &shape);
+    shape.convex = shape.facetted = true;
+    for (size_t i = 0; i < num && ok; i++) {
+        const struct csg_lift out = outer_lift(lathe, &lathe->trapezoids.data[i]);
+        all.s0 = all.s1 = fmax(all.s0, fmax(out.s0, out.s1));
+        ok = add_facets(&shape, sector, &out);
+    }
+    lathe->written = written_box(sector, 1);
+    shape.bounds = csg_lift_box(&all, &section);
+    shape.written = csg_lift_box(&all, &lathe->written);
+    if (!ok)
+        csg_shape_finish(&shape);
+    ok = ok && csg_part_add(lathe->part, &shape, false);
+    if (ok)
+        csg_part_close(lathe->part);
+    return ok;
+}
+
+/* ---- turns ---------------------------------------------------------------------------------- */
 
 /* The planes of a sector alone. Its box is that of what it cuts: outside of it there are no rings,
  * so that nobody asks. */
@@ -326,6 +390,9 @@ static bool add_cut_turn(struct lathe *lathe)
 static bool add_turn(struct lathe *lathe)
 {
     const bool is_cut = lathe->sectors.num > 0 && !lathe->sectors.data[0].all_round;
+    const bool is_whole = lathe->sectors.num == 1 && lathe->sectors.data[0].all_round;
+    if (lathe->turn->facetted && is_whole && lathe->trapezoids.num > 1 && is_convex(lathe))
+        return add_convex(lathe, &lathe->sectors.data[0]);
     return is_cut && !lathe->turn->facetted && lathe->trapezoids.num >= CSG_STACK_MIN_RINGS
                ? add_cut_turn(lathe)
                : add_sectors(lathe);
