@@ -23,6 +23,20 @@ struct csg_view_point {
 struct csg_view_node {
     double lo[2], hi[2], near, far;
 };
+extern const struct csg_view_node csg_view_nowhere;
+void csg_view_node_extend(struct csg_view_node *node, const struct csg_view_node *by);
+
+/* Pixel coordinates times w, and the distance along the view axis: w, but where rays are parallel.
+ */
+struct csg_view_place {
+    double x, y, t;
+};
+
+/* One of these as a function of a point of the surface: step . (point - middle) + start. */
+struct csg_view_row {
+    struct csg_vec3 step;
+    double start;
+};
 
 struct csg_surface_view {
     const struct csg_surface *surface;
@@ -32,11 +46,14 @@ struct csg_surface_view {
     struct csg_map place, inverse; /* of the surface */
     bool is_mirrored;              /* by that place */
     /* What follows is there once it is projected. */
-    struct csg_view_point *points;
-    struct csg_view_node *nodes;
-    double tnear; /* distance along the view axis where triangles are cut off */
-    double slack; /* of keys: how far carriers may lie off their faces */
-    int turns;    /* of the surface around the eye */
+    struct csg_vec3 middle; /* of the surface */
+    struct csg_view_row x, y, t;
+    bool flat;                     /* rays are parallel */
+    struct csg_view_point *points; /* those of nodes that hold pixels */
+    struct csg_view_node *nodes;   /* those below no empty one */
+    double tnear;                  /* distance along the view axis where triangles are cut off */
+    double slack;                  /* of keys: how far carriers may lie off their faces */
+    int turns;                     /* of the surface around the eye */
 };
 
 void csg_surface_view_init(struct csg_surface_view *view, const struct csg_shape *shape,
@@ -70,9 +87,15 @@ struct csg_view_list {
 bool csg_surface_view_list(const struct csg_surface_view *view, const struct csg_view_rect *rect,
                            struct csg_view_list *list);
 
+struct csg_view_place csg_view_place_of(const struct csg_surface_view *view, struct csg_vec3 p);
+
+/* What a triangle covers; false: no pixel's centre. */
+bool csg_view_triangle(const struct csg_surface_view *view, uint32_t triangle,
+                       struct csg_view_node *node);
+
 /* A triangle, cut at tnear, as a polygon of pixels that runs as its corners do; 0 to 4 corners.
  * Corners that two triangles share come out equal to the last bit. */
-int csg_surface_view_polygon(const struct csg_surface_view *view, const struct csg_screen *screen,
-                             struct csg_pixel at, uint32_t triangle, double polygon[4][2]);
+int csg_surface_view_polygon(const struct csg_surface_view *view, uint32_t triangle,
+                             double polygon[4][2]);
 
 #endif

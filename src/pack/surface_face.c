@@ -114,11 +114,9 @@ static void fill_plane(const struct csg_surface_part *part, struct csg_view_face
 bool csg_view_face_fill(struct csg_view_face *face, const struct csg_surface_part *part,
                         uint32_t triangle)
 {
-    const struct csg_frame *frame = part->terms->frame;
     *face = (struct csg_view_face){.triangle = triangle};
     double polygon[4][2];
-    const int num =
-        csg_surface_view_polygon(part->view, &frame->screen, frame->at, triangle, polygon);
+    const int num = csg_surface_view_polygon(part->view, triangle, polygon);
     double lo = INFINITY, hi = -INFINITY;
     int first = part->size[1], last = 0;
     for (int i = 0; i < num; i++) {
