@@ -20,6 +20,7 @@ struct csg_tess_module;
 struct csg_cut_space {
     struct csg_map map; /* to there */
     bool on_grid;       /* OpenSCAD moves points to its grid first, for CGAL's Booleans */
+    bool in_sum;        /* it is an operand of minkowski that meets the others */
     bool reversed;      /* OpenSCAD has the corners of a face in the other order, before the map */
 };
 

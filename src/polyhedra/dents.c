@@ -122,22 +122,23 @@ static bool judge_point(struct dents *dents, uint32_t low)
     return !dents->is_deep[0] || !dents->is_deep[1];
 }
 
-static bool has_shallow(struct dents *dents)
+static bool is_nearly_convex(struct dents *dents)
 {
     for (uint32_t low = 0; low < dents->mesh->points.num; low++)
         if (!judge_point(dents, low))
             return false;
-    return dents->num_trees == 1 && dents->is_there[dents->is_deep[0]];
+    return dents->num_trees == 1;
 }
 
-bool csg_mesh_has_shallow_dents(const struct csg_mesh *mesh, const struct csg_map *map,
-                                double degrees, bool *has)
+bool csg_mesh_find_dents(const struct csg_mesh *mesh, const struct csg_map *map, double degrees,
+                         bool *are_shallow, bool *are_there)
 {
     struct dents dents = {.cos_limit = csg_cos_degrees(degrees)};
     const bool ok = start(&dents, mesh);
     if (ok) {
         place(&dents, map);
-        *has = has_shallow(&dents);
+        *are_shallow = is_nearly_convex(&dents);
+        *are_there = dents.is_there[dents.is_deep[0]];
     }
     finish(&dents);
     return ok;

@@ -21,6 +21,7 @@ struct csg_mesh {
     double size;        /* the largest coordinate */
     double rounding;    /* see struct csg_shape */
     bool is_simple;     /* see struct csg_surface */
+    bool is_hull;       /* OpenSCAD takes its hull for it, however it is bent */
     bool keeps_dents;   /* OpenSCAD never takes its hull for it, as where it is inside out */
     size_t num_guessed; /* faces not cut as in OpenSCAD, see struct csg_cutter */
 };
@@ -62,10 +63,10 @@ bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps);
 bool csg_mesh_films(const struct csg_mesh *mesh, const struct csg_mesh_gaps *gaps,
                     struct csg_mesh *films);
 
-/* Whether the mesh, mapped, is closed and in one piece, and would be convex but for dents whose edges
- * are bent by at most so many degrees. false: out of memory. */
-bool csg_mesh_has_shallow_dents(const struct csg_mesh *mesh, const struct csg_map *map,
-                                double degrees, bool *has);
+/* Of the mesh, mapped. are_shallow: it is closed and in one piece, and convex but for dents whose
+ * edges are bent by at most so many degrees; are_there: there are any. false: out of memory. */
+bool csg_mesh_find_dents(const struct csg_mesh *mesh, const struct csg_map *map, double degrees,
+                         bool *are_shallow, bool *are_there);
 
 /* Of a closed mesh; negative where its faces run clockwise as seen from outside. */
 double csg_mesh_volume(const struct csg_mesh *mesh);

@@ -8,6 +8,7 @@
 struct siblings {
     uint32_t begin, end;
     bool counts_empty; /* difference and intersection meet empty operands as well */
+    bool in_sum;       /* operands of minkowski */
 };
 
 static bool has_solid(const struct csg_walk *walk, uint32_t node)
@@ -66,6 +67,12 @@ static bool is_resize(const struct csg_walk *walk, uint32_t node)
     return ops && ops->compound == csg_compound_resize;
 }
 
+static bool is_sum(const struct csg_walk *walk, uint32_t node)
+{
+    const struct csg_node_ops *ops = csg_walk_ops(walk, node);
+    return ops && ops->compound == csg_compound_minkowski;
+}
+
 /* A section is one of CGAL's, also where there is only one solid. */
 static bool enter_projection(struct csg_walk *walk, uint32_t node, struct csg_cut_space *to)
 {
@@ -81,7 +88,7 @@ static bool enter_projection(struct csg_walk *walk, uint32_t node, struct csg_cu
 
 bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_space *to)
 {
-    struct siblings siblings = {walk->builder->begin, walk->builder->end, false};
+    struct siblings siblings = {walk->builder->begin, walk->builder->end, false, false};
     struct csg_space space = csg_space_world;
     while (siblings.begin <= node) {
         uint32_t around = siblings.begin;
@@ -90,6 +97,7 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
         if (has_several(walk, &siblings)) {
             space.map = csg_map_identity;
             to->on_grid = true;
+            to->in_sum = siblings.in_sum;
         }
         if (around == node)
             break;
@@ -104,7 +112,8 @@ bool csg_cut_space_find(struct csg_walk *walk, uint32_t node, struct csg_cut_spa
         }
         const uint8_t role = walk->builder->meanings[around].role;
         siblings = (struct siblings){around + 1, csg_walk_node(walk, around)->end,
-                                     role == CSG_ROLE_DIFFERENCE || role == CSG_ROLE_INTERSECTION};
+                                     role == CSG_ROLE_DIFFERENCE || role == CSG_ROLE_INTERSECTION,
+                                     is_sum(walk, around)};
     }
     to->map = space.is_empty ? csg_map_identity : space.map; /* nothing will be seen of it */
     return true;

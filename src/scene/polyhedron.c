@@ -88,20 +88,33 @@ static bool read_mesh(const struct csg_args *args, bool points_only, struct csg_
     return ok || csg_log_memory(args->log);
 }
 
+/* OpenSCAD asks whether an operand of minkowski is convex before it cuts its faces: by the planes
+ * that fit them best. false: out of memory. */
+static bool is_summed_hull(const struct csg_mesh *mesh, const struct csg_cut_space *space,
+                           bool *is_hull)
+{
+    bool are_there;
+    return !space->in_sum ||
+           csg_mesh_find_dents(mesh, &space->map, SHALLOW_DEGREES, is_hull, &are_there);
+}
+
 bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh)
 {
     struct csg_cut_space space = {.map = csg_map_identity, .reversed = reversed};
+    bool is_hull = false;
     if (walk->points_only)
         return true;
-    const bool is_bent = csg_mesh_is_bent(mesh);
+    const double volume = csg_mesh_volume(mesh);
+    const bool is_bent = csg_mesh_is_bent(mesh), keeps_dents = reversed ? volume > 0 : volume < 0;
     walk->was_placed |= is_bent;
     if (is_bent && !csg_cut_space_find(walk, node, &space))
         return false;
-    if (!csg_mesh_clean(mesh, &space))
+    if ((is_bent && !keeps_dents && !is_summed_hull(mesh, &space, &is_hull)) ||
+        !csg_mesh_clean(mesh, &space))
         return csg_log_memory(&walk->builder->report->log);
-    const double volume = csg_mesh_volume(mesh);
-    mesh->keeps_dents |= reversed ? volume > 0 : volume < 0;
+    mesh->is_hull = is_hull;
+    mesh->keeps_dents = keeps_dents;
     return true;
 }
 
@@ -147,17 +160,19 @@ static bool find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mes
                       bool *is_hull)
 {
     struct csg_cut_space space = {.map = csg_map_identity};
-    if (!csg_mesh_has_shallow_dents(mesh, &csg_map_identity, MAPPED_DEGREES, is_hull))
+    bool shallow, there;
+    *is_hull = false;
+    if (!csg_mesh_find_dents(mesh, &csg_map_identity, MAPPED_DEGREES, &shallow, &there))
         return csg_log_memory(&walk->builder->report->log);
-    if (!*is_hull)
+    if (!shallow || !there)
         return true;
     walk->was_placed = true;
     if (!csg_cut_space_find(walk, node, &space))
         return false;
-    *is_hull = space.on_grid;
-    return !space.on_grid ||
-           csg_mesh_has_shallow_dents(mesh, &space.map, SHALLOW_DEGREES, is_hull) ||
-           csg_log_memory(&walk->builder->report->log);
+    if (space.on_grid && !csg_mesh_find_dents(mesh, &space.map, SHALLOW_DEGREES, &shallow, &there))
+        return csg_log_memory(&walk->builder->report->log);
+    *is_hull = space.on_grid && shallow && there;
+    return true;
 }
 
 /* is_there: it could be made. */
@@ -218,7 +233,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
                         struct csg_mesh *mesh, struct csg_part *part)
 {
     struct csg_mesh_gaps gaps;
-    bool is_hull = false;
+    bool is_hull = mesh->is_hull;
     if (walk->points_only)
         return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
     if (mesh->faces.num == 0)
@@ -229,7 +244,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
         warn_of_gaps(walk, node, mesh, &gaps);
     if (mesh->num_guessed)
         warn_of_guesses(walk, node, mesh->num_guessed);
-    if (gaps.num == 0 && !mesh->keeps_dents && !find_hull(walk, node, mesh, &is_hull))
+    if (!is_hull && gaps.num == 0 && !mesh->keeps_dents && !find_hull(walk, node, mesh, &is_hull))
         return false;
     if (is_hull && (!add_hull(walk, mesh, part, &is_hull) || is_hull))
         return is_hull;

@@ -22,4 +22,14 @@ module inside_out(depth)
 translate([0, 40, 0]) difference() { inside_out(0.01); translate([3, -9, -1]) cube([2, 12, 9]); }
 translate([20, 40, 0]) mirror([0, 0, 1]) intersection() { mirror([1, 0, 0]) inside_out(0.01); cube(30, center = true); }
 
+// An operand of minkowski is its hull where the planes that fit its faces best are a convex solid's.
+module bent(h)
+    polyhedron([[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0], [0, 0, 5 - h], [9, 0, 5 + h], [9, 9, 5 - h], [0, 9, 5 + h]],
+               [[0, 1, 2, 3], [7, 6, 5, 4], [1, 0, 4, 5], [2, 1, 5, 6], [3, 2, 6, 7], [0, 3, 7, 4]]);
+
+translate([40, 40, 0]) minkowski() { bent(0.5); cube(1); }
+translate([55, 40, 0]) minkowski() { mirror([0, 0, 1]) render() bent(0.5); sphere(1, $fn = 6); }
+translate([70, 40, 0]) minkowski() { union() { bent(0.5); cube(1); } cube(1); }
+translate([70, 20, 0]) difference() { bent(0.5); cube(1); }
+
 translate([40, 20, 0]) rotate([90, 0, 0]) linear_extrude(1) projection(cut = true) rotate([90, 0, 0]) dented(0.01);
