@@ -106,8 +106,22 @@ static bool prepare_general(struct csg_chooser *chooser, enum csg_resolver resol
             prepare_any(chooser, precise, all | CSG_FEATURE_DOUBLE));
 }
 
-/* The same for what an edit makes translucent: in a frame that is drawn directly there is nothing
- * of the kind. */
+/* bytes: as csg_source_shade's. */
+static bool prepare_shade(struct csg_chooser *chooser, bool bytes)
+{
+    const struct csg_request *request = chooser->request;
+    return csg_programs_get(&chooser->renderer->programs,
+                            csg_source_shade(request->image->id != NULL, bytes,
+                                             request->shared ? CSG_FEATURE_SHARED : 0)) != 0;
+}
+
+static bool wants_bytes_alone(const struct csgcast_image *image)
+{
+    return image->rgba8 && !image->rgba && !image->z && !image->normal && !image->id;
+}
+
+/* The same for what an edit makes translucent, or opaque: in a frame that is drawn directly there
+ * is nothing translucent. */
 static bool prepare_translucent(struct csg_chooser *chooser)
 {
     const struct csg_request *request = chooser->request;
@@ -116,9 +130,8 @@ static bool prepare_translucent(struct csg_chooser *chooser)
         blended &&
         (!chooser->direct || prepare_general(blended, CSG_RESOLVER_LOOP, CSG_RESOLVER_DOUBLE)) &&
         prepare_general(blended, CSG_RESOLVER_REAR, CSG_RESOLVER_REAR) &&
-        csg_programs_get(&chooser->renderer->programs,
-                         csg_source_shade(request->image->id != NULL, false,
-                                          request->shared ? CSG_FEATURE_SHARED : 0));
+        prepare_shade(chooser, false) &&
+        (chooser->direct || !wants_bytes_alone(request->image) || prepare_shade(chooser, true));
     csg_chooser_destroy(blended);
     return ok;
 }

@@ -75,11 +75,11 @@ static bool is_thin(const struct csg_frame *frame, const struct csg_request *req
  * variants, which compile no more than they need. */
 static bool is_kept_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    const bool may_change = !request->after_edit && request->resolver < 0;
-    if (may_change || renderer->thin_scene != request->scene) {
-        renderer->thin_scene = request->scene;
-        renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
-    }
+    const bool is_known = renderer->thin_scene == request->scene;
+    if (request->after_edit || (is_known && request->resolver >= 0))
+        return is_known && renderer->thin;
+    renderer->thin_scene = request->scene;
+    renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
     return renderer->thin;
 }
 
