@@ -14,8 +14,8 @@ flat in int csg_rest;
 /* Never true, but depends on each number: the driver leaves out what is not looked at. */
 bool csg_is_no_number(vec4 object)
 {
-    vec4 sum = object + csg_screen_depth + csg_screen_key + csg_lit + csg_screen_place +
-               vec4(float(csg_rest));
+    vec4 sum = object + csg_screen_depth + csg_screen_key + csg_lit +
+               vec4(csg_screen_place, float(csg_rest));
 #ifdef CSG_NUM_HANDED
     for (int i = 0; i < CSG_NUM_HANDED; i++)
         sum += csg_handed[i];

@@ -3,9 +3,8 @@
 
 /* Scale, offset, key where rays start, 0: affine, 1: of 1/t, 2: of all t. */
 flat in vec4 csg_screen_depth;
-flat in vec4 csg_screen_key; /* a, b, key at infinity, 1: orthographic */
-/* The strip's first pixel from the reference one, bias of depths, key at infinity. */
-flat in vec4 csg_screen_place;
+flat in vec4 csg_screen_key;   /* a, b, key at infinity, 1: orthographic */
+flat in vec3 csg_screen_place; /* the strip's first pixel from the reference one, bias of depths */
 
 /* The pixel, from the reference pixel: whole numbers and a half, so exact. */
 vec2 csg_pixel()

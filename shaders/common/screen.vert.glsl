@@ -14,13 +14,13 @@ uniform vec4 csg_light;
 
 flat out vec4 csg_screen_depth;
 flat out vec4 csg_screen_key;
-flat out vec4 csg_screen_place;
+flat out vec3 csg_screen_place;
 flat out vec4 csg_lit;
 
 void csg_hand_screen()
 {
     csg_screen_depth = csg_view_depth;
     csg_screen_key = csg_view_key;
-    csg_screen_place = vec4(csg_window - csg_at, csg_depth_bias, csg_view_key.z);
+    csg_screen_place = vec3(csg_window - csg_at, csg_depth_bias);
     csg_lit = csg_light;
 }

@@ -100,7 +100,7 @@ bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool
     for (; i < csg_num_crossings && csg_keys[i] <= csg_screen_depth.z; i++)
         csg_holds[csg_leaves[i] >> 5] ^= 1u << uint(csg_leaves[i] & 31);
     from_inside = csg_program_holds(begin, end);
-    while (i < csg_num_crossings && csg_keys[i] < csg_screen_place.w) {
+    while (i < csg_num_crossings && csg_keys[i] < csg_screen_key.z) {
         k = csg_keys[i];
         for (; i < csg_num_crossings && csg_keys[i] == k; i++) /* equal crossings are one event */
             csg_holds[csg_leaves[i] >> 5] ^= 1u << uint(csg_leaves[i] & 31);

@@ -99,13 +99,13 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
         bool all = ((flags & CSG_RECORD_AND) != 0) != dual;
         csg_real value;
         if ((flags & CSG_RECORD_BOUND) != 0) {
-            p = result < head.w || result >= csg_screen_place.w ? end : p + 1;
+            p = result < head.w || result >= csg_screen_key.z ? end : p + 1;
             continue;
         }
         if ((flags & CSG_RECORD_POP) != 0) {
             value = result;
             result = stack[--top];
-            if (!all && value > at_group && value < result && value < csg_screen_place.w &&
+            if (!all && value > at_group && value < result && value < csg_screen_key.z &&
                 again < CSG_MAX_AGAIN) {
                 at_group = value;
                 again++;

@@ -27,7 +27,7 @@ bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool
             continue;
         }
         k = next;
-        if (k >= csg_screen_place.w)
+        if (k >= csg_screen_key.z)
             return false;
     }
     place = csg_program_change(begin, end, d, k, inside);

@@ -11,7 +11,7 @@ bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool
             return true;
         first = csg_surface_behind(object.x, d, first.key);
         k = first.key;
-    } while (first.turns == 0 && k < csg_screen_place.w);
+    } while (first.turns == 0 && k < csg_screen_key.z);
     place = ivec2(object.x, first.turns > 0 ? first.face.x : first.face.y);
-    return k < csg_screen_place.w;
+    return k < csg_screen_key.z;
 }

@@ -108,5 +108,5 @@ bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place, out bool in
         return true;
     }
     place = csg_cell_face(place, object.y, d);
-    return found && k < csg_screen_place.w;
+    return found && k < csg_screen_key.z;
 }

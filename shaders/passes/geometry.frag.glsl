@@ -18,9 +18,7 @@ void main()
 #ifdef CSG_CAN_GIVE_UP
     if (csg_has_given_up(csg_object.z)) {
         csg_show_unfinished();
-#ifndef CSG_ALONE
         gl_FragDepth = 0.0;
-#endif
         return;
     }
 #endif
@@ -48,9 +46,7 @@ void main()
     }
 #endif
 #endif
-#ifndef CSG_ALONE /* nothing else is drawn, so nobody asks which is nearer */
     gl_FragDepth = csg_depth(k) - csg_screen_place.z;
-#endif
 #ifdef CSG_DOUBLE
     if (!plane) /* written from near it, so that float keeps it */
         k -= csg_texel(normal + 1).w + (d.x * double(csg_texel(normal + 2).w) +

@@ -64,7 +64,7 @@ void main()
 #endif
     vec2 key = span.key;
 #endif
-    if (!(key.x < key.y) || key.x >= csg_screen_place.w)
+    if (!(key.x < key.y) || key.x >= csg_screen_key.z)
         discard;
     csg_show(d, key.x, normal);
     gl_FragDepth = csg_depth(key.x);

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "render/chooser_parts.h"
-#include "render/direct.h"
 
 /* Objects of more steps are drawn in tiles where steps times pixels are more than this: a tile
  * leaves out most of the solids, and all where it is empty, but takes as long to make as some
@@ -242,15 +241,6 @@ bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }
 
-/* Programs that all scenes share are the same for all views of them, too, and those of an edited
- * scene are to be there after each edit. */
-static bool is_alone(const struct csgcast_renderer *renderer, const struct csg_request *request,
-                     bool direct)
-{
-    return direct && !request->shared && !request->scene->keeps_structure &&
-           csg_is_disjoint(&renderer->frame);
-}
-
 struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
                                        const struct csg_request *request, bool direct)
 {
@@ -260,7 +250,6 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
     chooser->renderer = renderer;
     chooser->request = request;
     chooser->direct = direct;
-    chooser->alone = is_alone(renderer, request, direct);
     chooser->max_handed = max_handed(renderer->gl);
     chooser->max_point = max_point(renderer->gl);
     for (int i = 0; i < CSG_NUM_CHAINS; i++)

@@ -20,7 +20,6 @@ struct csg_chooser {
     bool may_chain[CSG_NUM_CHAINS]; /* which of them may be used */
     int common_chain;               /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
-    bool alone;              /* see CSG_FEATURE_ALONE */
     uint32_t prepared;       /* the object whose cells' program is there, + 1 */
     uint32_t prepared_whole; /* ... whose programs for tiles and for all of it are */
     size_t max_handed;       /* flat inputs that the driver allows */

@@ -6,7 +6,7 @@
 
 static int frame_features(const struct csg_chooser *chooser)
 {
-    return (chooser->direct ? CSG_FEATURE_DIRECT : 0) | (chooser->alone ? CSG_FEATURE_ALONE : 0) |
+    return (chooser->direct ? CSG_FEATURE_DIRECT : 0) |
            (chooser->request->shared ? CSG_FEATURE_SHARED : 0);
 }
 

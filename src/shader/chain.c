@@ -261,7 +261,7 @@ static void add_first(struct csg_text *text, const struct csg_chain *chain)
             csg_text_add(text, "%s(holding & g%d) != 0", j ? " && " : "", j);
         csg_text_add(text, ") != (flip != 0) ? min(k, at) : k;\n");
     }
-    csg_text_add(text, "    if (!(k < csg_screen_place.w))\n        return false;\n");
+    csg_text_add(text, "    if (!(k < csg_screen_key.z))\n        return false;\n");
 }
 
 /* Literals that have begun to hold, and whose clauses then have: of a union none held before, of an

@@ -69,14 +69,14 @@ void csg_text_add_passing(struct csg_text *text, const char *format, const size_
     }
     if (loops)
         csg_text_add(text, "    } while (last < k && k < whole.y);\n");
-    csg_text_add(text, "    if (!(k < min(whole.y, csg_screen_place.w)))\n        return false;\n");
+    csg_text_add(text, "    if (!(k < min(whole.y, csg_screen_key.z)))\n        return false;\n");
 }
 
 void csg_text_end_search(struct csg_text *text)
 {
-    csg_text_add(text, "        bool further = r0 > k && r0 < csg_screen_place.w;\n"
+    csg_text_add(text, "        bool further = r0 > k && r0 < csg_screen_key.z;\n"
                        "        k = r0;\n        if (!further)\n            break;\n    }\n"
-                       "    if (k >= csg_screen_place.w)\n        return false;\n");
+                       "    if (k >= csg_screen_key.z)\n        return false;\n");
 }
 
 /* As csg_text_add of a string, which would look for its end thrice. */
@@ -260,8 +260,6 @@ static void add_inputs(struct csg_text *vertex, struct csg_text *fragment, int f
 static struct csg_stages finish_geometry(struct csg_text *vertex, struct csg_text *fragment,
                                          int features)
 {
-    if (features & CSG_FEATURE_ALONE)
-        csg_text_add(fragment, "#define CSG_ALONE\n");
     add_visible(fragment, features & CSG_FEATURE_DIRECT,
                 features & (CSG_FEATURE_QUADRIC | CSG_FEATURE_BANDS));
     add_inputs(vertex, fragment, features);

@@ -45,8 +45,7 @@ enum csg_feature {
     /* All of a frame's programs or none: */
     CSG_FEATURE_TEXTBOOK = 256, /* crossings of textbooks */
     CSG_FEATURE_DIRECT = 512,   /* colours, instead of what the shading pass reads */
-    CSG_FEATURE_SHARED = 1024,  /* the same flat inputs, see shaders/common/inputs.glsl */
-    CSG_FEATURE_ALONE = 2048    /* of direct ones: nothing overlaps, so they write no depths */
+    CSG_FEATURE_SHARED = 1024   /* the same flat inputs, see shaders/common/inputs.glsl */
 };
 
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
