@@ -181,8 +181,8 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
     return ok;
 }
 
-/* A plate that is drawn alone needs no depths; with a post in it, before it in the file, it does,
- * also in the renderer that has programs for the plate alone. */
+/* A plate that is drawn alone has no depth buffer; with a post in it, before it in the file, it
+ * has, also in the renderer that has drawn the plate alone. */
 static void check_post(const struct example *example)
 {
     const size_t bytes = 4 * (size_t)example->size * (size_t)example->size;
