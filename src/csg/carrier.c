@@ -70,9 +70,9 @@ static bool can_keep(const struct csg_carrier_builder *builder)
 }
 
 /* Likewise the faces of surfaces, which are placed for that. */
-static bool place_faces(struct csg_carrier_builder *builder, bool *can_keep)
+static bool place_faces(struct csg_carrier_builder *builder)
 {
-    for (uint32_t i = 0; builder->placed && i < builder->scene->num_leaves && *can_keep; i++) {
+    for (uint32_t i = 0; builder->placed && i < builder->scene->num_leaves && builder->keeps; i++) {
         const struct csg_shape *shape = &builder->scene->leaves[i].shape;
         const uint8_t *near = builder->remote.near[i];
         if (!near)
@@ -80,7 +80,7 @@ static bool place_faces(struct csg_carrier_builder *builder, bool *can_keep)
         builder->placed[i] = csg_placed_faces_create(shape);
         if (!builder->placed[i])
             return false;
-        *can_keep = csg_carrier_can_follow_faces(builder->placed[i], near, shape);
+        builder->keeps = csg_carrier_can_follow_faces(builder->placed[i], near, shape);
     }
     return true;
 }
@@ -95,16 +95,34 @@ static bool find_remote(struct csg_carrier_builder *builder)
     return builder->placed || !builder->remote.near;
 }
 
-/* The index of a scene whose edits are followed has room for them. */
 static bool start(struct csg_carrier_builder *builder)
 {
-    bool keeps = builder->keeps;
-    if (!csg_carrier_outline(builder) || !find_remote(builder) ||
-        (keeps && !place_faces(builder, &keeps)))
-        return false;
-    const bool is_kept = keeps == builder->keeps;
-    builder->keeps = keeps;
-    return (is_kept || csg_carrier_outline(builder)) && csg_carrier_start_index(builder);
+    return csg_carrier_outline(builder) && find_remote(builder) && place_faces(builder) &&
+           csg_carrier_start_index(builder);
+}
+
+static bool index_carriers(struct csg_carrier_builder *builder)
+{
+    const struct csg_carriers *carriers = builder->carriers;
+    bool ok = true;
+    for (uint32_t i = 0; i < carriers->num_planes && ok; i++)
+        ok = csg_index_add_plane(&builder->index, &carriers->planes[i], i);
+    for (uint32_t i = 0; i < carriers->num_quadrics && ok; i++)
+        ok = csg_index_add_quadric(&builder->index,
+                                   csg_carrier_quadric(builder->scene, carriers, i), i);
+    return ok;
+}
+
+/* For edits, the index is made anew with room for them, and with all faces. Its cells are so much
+ * wider that to look for every face in them would take much longer than in those of the scene. */
+static bool make_room(struct csg_carrier_builder *builder)
+{
+    csg_index_finish(&builder->index);
+    csg_loners_finish(&builder->loners);
+    builder->index = (struct csg_carrier_index){0};
+    builder->has_room = true;
+    return csg_carrier_outline(builder) && csg_carrier_start_index(builder) &&
+           index_carriers(builder);
 }
 
 /* Coincidence is looked for among all leaves: flush faces of different objects share carriers too,
@@ -119,12 +137,12 @@ static bool assign_all(struct csg_carrier_builder *builder)
     if (!builder->is_alone && !start(builder))
         return false;
     if (!csg_carriers_allocate_faces(builder) ||
-        (!builder->is_alone && !builder->keeps && !csg_loners_find(&builder->loners, builder)))
+        (!builder->is_alone && !csg_loners_find(&builder->loners, builder)))
         return false;
     for (size_t i = 0; i < builder->leaves.num; i++)
         if (!csg_carrier_assign_leaf(builder, &builder->leaves.data[i]))
             return false;
-    return true;
+    return !builder->keeps || make_room(builder);
 }
 
 /* Whether each object is one leaf, and all of a quadric that can be seen is the leaf it came

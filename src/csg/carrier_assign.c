@@ -79,10 +79,9 @@ bool csg_carrier_assign_plane(struct csg_carrier_builder *builder, const struct 
                               bool alone, struct csg_face *face)
 {
     struct csg_carriers *carriers = builder->carriers;
-    if (alone)
-        return add_plane(builder, plane, extent, rank, alone, face);
-    const bool was_met = csg_carrier_find_met(builder, plane, face);
-    const bool is_other = !was_met && csg_carrier_find_plane(builder, plane, extent, rank, face);
+    const bool was_met = !alone && csg_carrier_find_met(builder, plane, face);
+    const bool is_other =
+        !alone && !was_met && csg_carrier_find_plane(builder, plane, extent, rank, face);
     carriers->num_shared += was_met || is_other;
     if (is_other ? !csg_plane_table_add(&builder->others, plane, face)
                  : !was_met && !add_plane(builder, plane, extent, rank, alone, face))

@@ -61,7 +61,8 @@ struct csg_carrier_list {
 struct csg_carrier_builder {
     const struct csgcast_scene *scene;
     struct csg_carriers *carriers;
-    bool keeps; /* for edits to follow, see csg/carrier_edit.h: no face is left out as a loner */
+    bool keeps;    /* for edits to follow, see csg/carrier_edit.h */
+    bool has_room; /* the index has room for them, and no face is left out as a loner */
     struct csg_carrier_list lists[CSG_NUM_FACE_KINDS];
     struct csg_carrier_index index;
     struct csg_plane_table others; /* planes that were met and are no carrier's own */
@@ -72,9 +73,9 @@ struct csg_carrier_builder {
     struct csg_placed_faces **placed;
     struct csg_loners loners;          /* neither in the index nor in the table */
     struct csg_vec3 center;            /* of the finite part of the scene */
-    double radius;                     /* the same; where it keeps, with room */
+    double radius;                     /* the same; where it has room, with that */
     double largest_rounding;           /* of the leaves at hand */
-    double most_rounding;              /* ... and where it keeps, of those that may come */
+    double most_rounding;              /* ... and where it has room, of those that may come */
     struct csg_carrier_reach reach;    /* of the index */
     CSG_ARRAY(struct csg_rank) leaves; /* in their order */
 };

@@ -179,8 +179,8 @@ static void note_surface(struct extremes *most, const struct csg_carrier_builder
     struct csg_map inverse = csg_map_identity;
     csg_map_invert(&shape->frame, &inverse);
     const double stretch = csg_map_stretch(&inverse);
-    for (size_t i = 0; (near || builder->keeps) && i < surface->planes.num; i++) {
-        if (!builder->keeps && !near[i])
+    for (size_t i = 0; (near || builder->has_room) && i < surface->planes.num; i++) {
+        if (!builder->has_room && !near[i])
             continue;
         const struct csg_surface_extent extent = {
             csg_map_point(&shape->frame, surface->extents[i].center),
@@ -246,7 +246,7 @@ static size_t count_chunks(const struct csg_carrier_builder *builder)
 
 static double room_of(const struct csg_carrier_builder *builder)
 {
-    return builder->keeps ? CSG_CARRIER_ROOM : 1;
+    return builder->has_room ? CSG_CARRIER_ROOM : 1;
 }
 
 bool csg_carrier_outline(struct csg_carrier_builder *builder)
