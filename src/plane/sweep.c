@@ -92,15 +92,21 @@ static bool cross(const struct csg_sweep_edge *a, const struct csg_sweep_edge *b
     return true;
 }
 
-/* An edge from end to end along an axis. */
+/* An edge from end to end along an axis, in one of the strips along it that the edge passes. */
 struct extent {
     double lo, hi;
-    uint32_t edge;
+    uint32_t edge, strip;
+};
+
+struct extents {
+    CSG_ARRAY(struct extent) list;
 };
 
 static int compare_extents(const void *a, const void *b)
 {
     const struct extent *x = a, *y = b;
+    if (x->strip != y->strip)
+        return x->strip < y->strip ? -1 : 1;
     return csg_compare_doubles(&x->lo, &y->lo);
 }
 
@@ -108,42 +114,70 @@ static struct extent extent_of(const struct csg_sweep *sweep, uint32_t i, bool a
 {
     const struct csg_sweep_edge *edge = &sweep->edges.data[i];
     return along_x ? (struct extent){fmin(edge->low.x, edge->high.x),
-                                     fmax(edge->low.x, edge->high.x), i}
-                   : (struct extent){edge->low.y, edge->high.y, i};
+                                     fmax(edge->low.x, edge->high.x), i, 0}
+                   : (struct extent){edge->low.y, edge->high.y, i, 0};
 }
 
-/* How many edges a line across the axis cuts, on average. */
-static double crowding(const struct csg_sweep *sweep, bool along_x)
+/* All edges along an axis. */
+struct crowd {
+    double lo, hi;
+    double edges; /* how many a line across the axis cuts, on average */
+};
+
+static struct crowd crowd_of(const struct csg_sweep *sweep, bool along_x)
 {
-    double lo = INFINITY, hi = -INFINITY, sum = 0;
+    struct crowd crowd = {INFINITY, -INFINITY, 0};
+    double sum = 0;
     for (uint32_t i = 0; i < sweep->edges.num; i++) {
         const struct extent extent = extent_of(sweep, i, along_x);
-        lo = fmin(lo, extent.lo);
-        hi = fmax(hi, extent.hi);
+        crowd.lo = fmin(crowd.lo, extent.lo);
+        crowd.hi = fmax(crowd.hi, extent.hi);
         sum += extent.hi - extent.lo;
     }
-    return sum / (hi - lo);
+    crowd.edges = crowd.hi > crowd.lo ? sum / (crowd.hi - crowd.lo) : 0;
+    return crowd;
 }
 
-/* All pairs that overlap along the axis, of the two the one with fewer. */
+/* The edges by strips, about as wide as edges are, so that each is in two or so. */
+static bool fill_extents(const struct csg_sweep *sweep, bool along_x, const struct crowd *across,
+                         struct extents *extents)
+{
+    const double num = (double)sweep->edges.num, size = across->hi - across->lo;
+    const double num_strips = across->edges > 0 ? fmin(num / across->edges, num) : 1;
+    const double scale = size > 0 ? num_strips / size : 0;
+    for (uint32_t i = 0; i < sweep->edges.num; i++) {
+        const struct extent other = extent_of(sweep, i, !along_x);
+        struct extent extent = extent_of(sweep, i, along_x);
+        const uint32_t end = (uint32_t)((other.hi - across->lo) * scale);
+        extent.strip = (uint32_t)((other.lo - across->lo) * scale);
+        for (; extent.strip <= end; extent.strip++)
+            if (!csg_array_push(&extents->list, extent))
+                return false;
+    }
+    return true;
+}
+
+/* Of all pairs that overlap along the axis, of the two the one with fewer, and share a strip. What
+ * pairs share several gives the same level several times. */
 static bool add_crossings(struct csg_sweep *sweep, double noise)
 {
-    const bool along_x = crowding(sweep, true) < crowding(sweep, false);
-    CSG_ARRAY(struct extent) extents = {0};
-    bool ok = csg_array_reserve(&extents, sweep->edges.num);
-    double y;
-    for (uint32_t i = 0; i < sweep->edges.num && ok; i++)
-        extents.data[extents.num++] = extent_of(sweep, i, along_x);
-    if (extents.num)
-        qsort(extents.data, extents.num, sizeof *extents.data, compare_extents);
-    for (size_t i = 0; i < extents.num && ok; i++)
-        for (size_t j = i + 1; j < extents.num && extents.data[j].lo < extents.data[i].hi; j++) {
-            const struct csg_sweep_edge *a = &sweep->edges.data[extents.data[i].edge];
-            const struct csg_sweep_edge *b = &sweep->edges.data[extents.data[j].edge];
-            if (cross(a, b, noise, &y) && !csg_array_push(&sweep->levels, y))
-                ok = false;
+    const struct crowd x = crowd_of(sweep, true), y = crowd_of(sweep, false);
+    const bool along_x = x.edges < y.edges;
+    struct extents extents = {0};
+    bool ok = fill_extents(sweep, along_x, along_x ? &y : &x, &extents);
+    const struct extent *list = extents.list.data;
+    const size_t num = extents.list.num;
+    if (ok && num)
+        qsort(extents.list.data, num, sizeof *list, compare_extents);
+    for (size_t i = 0; i < num && ok; i++)
+        for (size_t j = i + 1;
+             j < num && ok && list[j].strip == list[i].strip && list[j].lo < list[i].hi; j++) {
+            double level;
+            if (cross(&sweep->edges.data[list[i].edge], &sweep->edges.data[list[j].edge], noise,
+                      &level))
+                ok = csg_array_push(&sweep->levels, level);
         }
-    free(extents.data);
+    free(extents.list.data);
     return ok;
 }
 
