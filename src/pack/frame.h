@@ -95,6 +95,7 @@ struct csg_frame_params {
                         size */
     bool has_double; /* else what needs it is cast on the CPU, in the model's layer */
     enum csg_cells_use cells; /* what is drawn in cells */
+    bool few_programs;        /* a program less is worth some more tiles */
     bool crowds;              /* single solids are drawn as crowd/crowd.h has them, */
     uint32_t crowds_without;  /* ... but those of runs with these csg_crowd_run_bit, */
     size_t max_owners;        /* ... with a picture of owners of at most so many pixels */

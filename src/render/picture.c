@@ -173,6 +173,7 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
         .max_owners = max_owners(renderer->gl),
         .tile_size = request->tile_size,
         .cells = choose_cells(request),
+        .few_programs = request->shared,
     };
     struct csg_picture picture = {.renderer = renderer, .gl = renderer->gl, .request = request};
     picture.want_geometry = request->image->z || request->image->normal;

@@ -40,6 +40,11 @@
  * many. */
 #define CROWDED_LEAVES 16
 
+/* Tiles of half the smallest size that have too many planes for a chain, as corners of solids have,
+ * are cut to the pixel where programs are to be few, so many times in an area: if all the others are
+ * chains, the picture needs one program, and a second takes longer to load than these tiles. */
+#define MAX_CORNER_CUTS 64
+
 /* Where so many leaves are left and a quarter of the area spares less than this share of them, the
  * tile is drawn as it is. */
 #define STUBBORN_LEAVES 256
@@ -248,6 +253,17 @@ static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
     return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES;
 }
 
+static bool is_at_corner(const struct csg_tile_task *task)
+{
+    return is_within(task, CSG_TILE_SIZE / 2);
+}
+
+static bool may_cut_corner(const struct csg_tiler *tiler, const struct csg_tile_task *task)
+{
+    return tiler->terms->params->few_programs && tiler->num_corner_cuts < MAX_CORNER_CUTS &&
+           !is_within(task, 1);
+}
+
 /* Whether only planes keep the tile from being a chain. Of solids with many all are asked for each
  * tile. */
 static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile_task *task,
@@ -255,7 +271,7 @@ static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile
 {
     return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES &&
            num_leaves <= CSG_CHAIN_LITERALS && !draw->surface && !draw->bands &&
-           !is_within(task, CSG_TILE_SIZE / 2) &&
+           (!is_at_corner(task) || may_cut_corner(tiler, task)) &&
            planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;
 }
 
@@ -285,6 +301,7 @@ static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task,
     *drawn = !has_many_planes(tiler, task, &draw, num_leaves);
     if (*drawn)
         return add_draw(tiler, task, num_leaves, &draw);
+    tiler->num_corner_cuts += is_at_corner(task);
     tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];
     return true;
 }
@@ -408,6 +425,7 @@ bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
     tiler->draw = draw;
     tiler->budget = area->budget;
     tiler->fine = area->fine;
+    tiler->num_corner_cuts = 0;
     tiler->max_texels = area->max_texels + terms->frame->texels.num / 4;
     bool ok = object_tree(tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
     whole.flat = ok && csg_tiler_is_flat(&whole.tree);

@@ -49,9 +49,10 @@ struct csg_tiler {
     CSG_ARRAY(double) keys;   /* by node, for csg_front_find */
     CSG_ARRAY(uint8_t) known; /* of terms that share theirs with other threads' */
     struct csg_scan scan;
-    size_t max_texels; /* of the frame, from which on tiles are not cut further */
-    bool fine;         /* of the area */
-    bool opaque;       /* the tile at hand: the object has certainly begun somewhere in all of it */
+    size_t max_texels;   /* of the frame, from which on tiles are not cut further */
+    bool fine;           /* of the area */
+    int num_corner_cuts; /* likewise, see tile.c */
+    bool opaque; /* the tile at hand: the object has certainly begun somewhere in all of it */
 };
 
 /* Of a leaf of the tree at hand. */

@@ -181,6 +181,33 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
     return ok;
 }
 
+/* A picture alone: the corners of the cube are no tiles of a program of their own. */
+static void check_corners(void)
+{
+    enum { size = 300 };
+    static uint8_t shared[4 * size * size], loop[4 * size * size];
+    const char text[] =
+        "difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13); }";
+    const struct csgcast_scene_params fixed = {.fixed = true};
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &fixed);
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_view view = {.width = size, .height = size, .variant = "shared"};
+    struct csgcast_stats stats;
+    bool ok = scene && renderer &&
+              csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = shared});
+    CHECK(ok, "no picture");
+    if (ok) {
+        csgcast_renderer_get_stats(renderer, &stats);
+        CHECK(strncmp(stats.variants, "chain ", 6) == 0 && !strchr(stats.variants, ','), "%s",
+              stats.variants);
+        view.variant = "loop";
+        ok = csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = loop});
+        CHECK(ok && memcmp(shared, loop, sizeof loop) == 0, "pictures differ");
+    }
+    csgcast_renderer_destroy(renderer);
+    csgcast_scene_destroy(scene);
+}
+
 /* A plate that is drawn alone has no depth buffer; with a post in it, before it in the file, it
  * has, also in the renderer that has drawn the plate alone. */
 static void check_post(const struct example *example)
@@ -215,6 +242,7 @@ static void check_post(const struct example *example)
 int main(void)
 {
     check_kept(&examples[0]);
+    check_corners();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
         check_example(&examples[i]);
