@@ -184,10 +184,14 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
 /* A picture alone: the corners of the cube are no tiles of a program of their own. */
 static void check_corners(void)
 {
-    enum { size = 300 };
+    enum { size = 256 };
     static uint8_t shared[4 * size * size], loop[4 * size * size];
-    const char text[] =
-        "difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13); }";
+    const char text[] = "difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13);"
+                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                        "multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
+                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                        "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
+                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }";
     const struct csgcast_scene_params fixed = {.fixed = true};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &fixed);
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
