@@ -32,13 +32,9 @@
 static struct csg_view_row row_of(const struct csg_surface_view *view,
                                   const struct csg_screen *screen, struct csg_vec3 v, double start)
 {
-    const double(*m)[4] = view->place.m;
     const struct csg_vec3 moved =
         csg_sub(csg_map_point(&view->place, view->middle), screen->origin);
-    return (struct csg_view_row){csg_vec3(v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
-                                          v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
-                                          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]),
-                                 start + csg_dot(v, moved)};
+    return (struct csg_view_row){csg_map_transposed(&view->place, v), start + csg_dot(v, moved)};
 }
 
 static struct csg_view_row pixel_row(const struct csg_surface_view *view,
@@ -307,7 +303,7 @@ static bool shows_little(const struct csg_surface_view *view, const struct csg_v
 static void set_near(struct csg_surface_view *view, const struct csg_screen *screen)
 {
     const struct csg_box box = csg_box_map(&view->place, &view->surface->nodes.data[0].box);
-    const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
+    const struct csg_vec3 center = middle_of(&box);
     const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
     const double distance = csg_length(csg_sub(center, screen->origin));
     const double t = fmax(distance - radius, NEAR_SHARE * radius);

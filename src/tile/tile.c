@@ -253,7 +253,8 @@ static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
     return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES;
 }
 
-static bool is_at_corner(const struct csg_tile_task *task)
+/* As small as tiles are cut for other reasons than planes. */
+static bool is_small(const struct csg_tile_task *task)
 {
     return is_within(task, CSG_TILE_SIZE / 2);
 }
@@ -271,7 +272,7 @@ static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile
 {
     return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES &&
            num_leaves <= CSG_CHAIN_LITERALS && !draw->surface && !draw->bands &&
-           (!is_at_corner(task) || may_cut_corner(tiler, task)) &&
+           (!is_small(task) || may_cut_corner(tiler, task)) &&
            planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;
 }
 
@@ -301,7 +302,7 @@ static bool draw_tile(struct csg_tiler *tiler, const struct csg_tile_task *task,
     *drawn = !has_many_planes(tiler, task, &draw, num_leaves);
     if (*drawn)
         return add_draw(tiler, task, num_leaves, &draw);
-    tiler->num_corner_cuts += is_at_corner(task);
+    tiler->num_corner_cuts += is_small(task);
     tiler->terms->frame->texels.num = 4 * (size_t)draw.instance.records[0];
     return true;
 }
