@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
+#include "carrier/side.h"
 #include "cells/balls.h"
 #include "cells/cells.h"
-#include "csg/side.h"
 
 /* Of cuts: rays take a step for some of them each time they begin at the root anew. */
 #define MAX_DEPTH 32

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/side.h"
+#include "carrier/side.h"
 #include "common/layout.glsl"
 
 enum { MAX_PLANES = CSG_BUNCH_MANY_PLANES, NUM_LITERALS = CSG_BUNCH_LITERALS };

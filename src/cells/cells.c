@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
+#include "carrier/side.h"
 #include "cells/build.h"
 #include "cells/kept.h"
 #include "common/hash.h"
 #include "common/parallel.h"
-#include "csg/carrier.h"
-#include "csg/side.h"
 
 /* The margin as a share of the object's size: far above what floats lose on the way to a cell. */
 #define MARGIN 1e-4

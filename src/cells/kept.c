@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "common/hash.h"
-#include "csg/carrier.h"
 
 struct csg_kept {
     size_t num;

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-#include "csg/carrier.h"
-#include "csg/side.h"
+#include "carrier/carrier.h"
+#include "carrier/side.h"
 
 /* Rounding of the double arithmetic below, relative to its terms. */
 #define NOISE 1e-12

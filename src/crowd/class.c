@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "crowd/class.h"
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "pack/precision.h"
 
 enum { DISCS_KEY = CSG_CROWD_MAX_CLASSES - 3, ELLIPSOID_KEY, BALL_KEY };

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "common/parallel.h"
 #include "crowd/class.h"
 #include "crowd/kin.h"
 #include "crowd/tree_cast.h"
-#include "csg/carrier.h"
 #include "csg/object.h"
 
 struct builder {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "common/order.h"
 #include "common/parallel.h"
 #include "common/prefetch.h"
@@ -11,7 +12,6 @@
 #include "crowd/cull.h"
 #include "crowd/occluders.h"
 #include "crowd/sift.h"
-#include "csg/carrier.h"
 #include "pack/ball.h"
 #include "pack/terms.h"
 

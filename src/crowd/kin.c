@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "csg/object.h"
 
 uint32_t csg_kin_root(uint32_t *parents, uint32_t object)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "crowd/member.h"
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "pack/ball.h"
 #include "pack/terms.h"
 

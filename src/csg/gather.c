@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "csg/framing.h"
+#include "csg/wholes.h"
 
 struct gatherer {
     const struct csgcast_scene *scene;

@@ -2,7 +2,7 @@
 #ifndef CSG_CSG_SCENE_H
 #define CSG_CSG_SCENE_H
 
-/* The scene as built from text (scene/) and finished for rendering (csg/). */
+/* The scene as built from text (scene/) and finished for rendering (prepare/). */
 
 #include "common/log.h"
 #include "csg/tree.h"
@@ -69,15 +69,15 @@ struct csgcast_scene {
     int num_threads;              /* that may work on it, see csg_parallel */
     bool keeps_structure;         /* small objects keep what boxes show to be irrelevant */
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
-    bool is_distributed;          /* objects were, see csg/distribute.h */
-    bool has_surfaces;            /* some leaf is one of triangles, see csg/surfaces.h */
+    bool is_distributed;          /* objects were, see prepare/distribute.h */
+    bool has_surfaces;            /* some leaf is one of triangles, see prepare/surfaces.h */
     uint64_t revision;            /* grows with each edit */
     double load_ms, csg_ms;       /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves;      /* in file order: the public leaf index */
     size_t num_leaves, leaves_capacity;
     struct csg_tree trees[CSG_NUM_LAYERS];
     CSG_ARRAY(struct csg_handed_off_node) handed_off;
-    CSG_ARRAY(struct csg_whole) wholes; /* by leaf, see csg/framing.h */
+    CSG_ARRAY(struct csg_whole) wholes; /* by leaf, see csg/wholes.h */
 
     /* Filled by csg_scene_finish: */
     struct csg_objects *objects;       /* drawn one by one */
@@ -94,26 +94,5 @@ struct csgcast_scene {
     struct csgcast_kind_count kinds[CSG_NUM_LEAF_KINDS];
     struct csg_scene_ways ways;
 };
-
-/* A zeroed scene with log and name set; NULL, with a message, when memory is out. */
-struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name);
-
-/* Everything but source and edits. */
-void csg_scene_destroy(struct csgcast_scene *scene);
-/* Of a leaf that has changed. */
-void csg_leaf_fill_box(struct csg_leaf *leaf);
-
-/* Counts the distinct surfaces. */
-void csg_scene_fill_carrier_info(struct csgcast_scene *scene);
-
-/* Of that what csg_scene_finish makes, and the trees. */
-void csg_scene_drop_derived(struct csgcast_scene *scene);
-
-/*
- * Simplifies the trees, merges coincident carriers, fills box and info: after this the scene is
- * immutable. leaves[] with an empty shape must not occur, but for those marked is_empty: they are
- * left out while building. before: of an edit, see csg/carrier_edit.h; else NULL.
- */
-bool csg_scene_finish(struct csgcast_scene *scene, const struct csg_before *before);
 
 #endif

@@ -21,8 +21,8 @@ struct csg_node {
     uint8_t op;    /* enum csg_op */
     bool negated;  /* LEAF: the complement of the leaf */
     bool spare;    /* LEAF: stays for the tree's structure, and counts as nothing */
-    uint32_t leaf; /* LEAF: index of the leaf; AND: of a part, see csg/distribute.h, the minuend of
-                    * the whole + 1, else 0 */
+    uint32_t leaf; /* LEAF: index of the leaf; AND: of a part, see prepare/distribute.h, the minuend
+                    * of the whole + 1, else 0 */
     uint32_t end;  /* one past the last node of this subtree */
 };
 

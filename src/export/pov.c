@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 
 /* POV-Ray's tolerances are absolute, made for scenes of some units: its nearest hit is at 1e-6 or
  * so, its furthest at 1e7. Scenes of other sizes are scaled. */

@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "export/pov.h"
 
 #define SHIFT 1e-6 /* of the scene's size */

@@ -49,7 +49,7 @@ struct csg_own_face {
 /*
  * All copies of a solid have one surface, in a space of its own; each says in its csg_shape.frame
  * where it is, here called place. Nothing is changed once it is made but what csg_surface_build,
- * csg_own_faces_find (csg/own_faces.h) and csg_surface_closed fill in.
+ * csg_own_faces_find (carrier/own_faces.h) and csg_surface_closed fill in.
  */
 struct csg_surface {
     uint32_t num_sharers; /* shapes beside the first that have it */

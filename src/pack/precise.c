@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 
 /* What is known of the precise objects that have a face on one side of a carrier. */
 struct mark {

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 
 /* Rounding of a key to float, and of the three terms that it is the sum of. */
 #define KEY_ROUNDING (1.5 / (1 << 24))

@@ -4,12 +4,12 @@
 
 /*
  * Which objects float does not hold in this view, and why: what their geometry needs
- * (csg/sharpness.h) against what the shader's float keys resolve where they are. Those are drawn in
+ * (sharpness/sharpness.h) against what the shader's float keys resolve where they are. Those are drawn in
  * double. docs/numerics.md has the bounds.
  */
 
-#include "csg/sharpness.h"
 #include "pack/screen.h"
+#include "sharpness/sharpness.h"
 
 enum csg_reason {
     CSG_REASON_THICKNESS = CSG_FINE_THICKNESS,

@@ -19,7 +19,7 @@
  * pixels and depth moved to where the object is. docs/numerics.md has the derivation and figures.
  */
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "common/layout.glsl" /* from shaders/: what C and GLSL share */
 
 /* Drivers run programs for whole blocks of pixels, and so for those beside what is drawn: llvmpipe for 4 by

@@ -195,7 +195,7 @@ static struct csg_rect leaf_rect(const struct csg_terms *terms, const struct csg
 }
 
 /* The terms that a leaf has already; NULL: none. Parts of a distributed object have what cuts them
- * in common (csg/distribute.h), and a layer that is drawn as one object has them all. */
+ * in common (prepare/distribute.h), and a layer that is drawn as one object has them all. */
 static struct csg_leaf_terms *find_placed(const struct csg_terms *terms,
                                           const struct csg_node *nodes, uint32_t leaf)
 {

@@ -7,7 +7,7 @@
  * what it is where no leaf is.
  */
 
-#include "csg/box_tree.h"
+#include "carrier/box_tree.h"
 #include "csg/scene.h"
 
 struct csg_node_bounds {

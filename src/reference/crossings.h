@@ -2,7 +2,7 @@
 #ifndef CSG_REFERENCE_CROSSINGS_H
 #define CSG_REFERENCE_CROSSINGS_H
 
-#include "csg/carrier.h"
+#include "carrier/carrier.h"
 #include "mesh/surface.h"
 #include "reference/reference.h"
 

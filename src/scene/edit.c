@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/follow.h"
-#include "csg/framing.h"
+#include "csg/wholes.h"
+#include "prepare/follow.h"
+#include "prepare/framing.h"
 #include "scene/edits.h"
 
 /* The changes of one call. */

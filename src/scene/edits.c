@@ -6,7 +6,8 @@
 
 #include "cells/store.h"
 #include "common/clock.h"
-#include "csg/follow.h"
+#include "prepare/follow.h"
+#include "prepare/scene.h"
 #include "scene/load.h"
 
 void csg_edits_destroy(struct csg_edits *edits)

@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "common/file.h"
 #include "common/join.h"
+#include "prepare/scene.h"
 #include "scene/build.h"
 #include "scene/edits.h"
 #include "scene/handoff.h"

@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "check.h"
 #include "common/random.h"
-#include "csg/carrier.h"
 #include "csg/object.h"
 #include "csg/scene.h"
-#include "csg/sharpness.h"
+#include "sharpness/sharpness.h"
 
 #define NUM_LEAVES 120
 #define NUM_EDITS 60

@@ -6,8 +6,8 @@
  */
 #include <stdlib.h>
 
+#include "carrier/probe.h"
 #include "check.h"
-#include "csg/carrier_probe.h"
 #include "dice.h"
 
 enum { NUM_PLANES = 4000, NUM_FACES = 200 };

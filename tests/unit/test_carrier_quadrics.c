@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "check.h"
-#include "csg/carrier.h"
 #include "csg/scene.h"
 #include "dice.h"
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "check.h"
-#include "csg/carrier.h"
 #include "csg/scene.h"
 
 #define BEND(angle)                                                                                \

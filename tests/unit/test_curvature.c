@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The least radius of curvature of ellipsoids and cylinders, however they came to their place. */
-#include "csg/curvature.h"
+#include "sharpness/curvature.h"
 
 #include <math.h>
 

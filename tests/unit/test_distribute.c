@@ -5,7 +5,7 @@
  */
 #define DICE_SEED 5
 
-#include "csg/distribute.h"
+#include "prepare/distribute.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/builder.h"
+#include "carrier/carrier.h"
 #include "check.h"
-#include "csg/carrier.h"
-#include "csg/carrier_builder.h"
 #include "csg/scene.h"
 #include "dice.h"
 

@@ -10,8 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "carrier/own_faces.h"
 #include "check.h"
-#include "csg/own_faces.h"
 #include "dice.h"
 
 enum { SIDE = 120, PLATEAU_BEGIN = 40, PLATEAU_END = 70, LID_END = 60 };

@@ -247,7 +247,7 @@ static void check_errors(void)
     }
 }
 
-/* The normal form of f and of -f is the same up to sign: csg/carrier.c relies on it. */
+/* The normal form of f and of -f is the same up to sign: carrier/carrier.c relies on it. */
 static void check_complement(const struct quadric_class *class)
 {
     const double lengths[3] = {1, 2, 3};

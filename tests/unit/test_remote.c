@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "carrier/carrier.h"
 #include "check.h"
-#include "csg/carrier.h"
 #include "csg/scene.h"
 #include "mesh/surface.h"
 

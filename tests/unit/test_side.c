@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "carrier/side.h"
 #include "cells/leaf.h"
 #include "check.h"
 #include "csg/scene.h"
-#include "csg/side.h"
 #include "dice.h"
 
 static struct csg_vec3 random_point(const struct csg_box *box)

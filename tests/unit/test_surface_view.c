@@ -8,8 +8,8 @@
 
 #include <stdlib.h>
 
+#include "carrier/own_faces.h"
 #include "check.h"
-#include "csg/own_faces.h"
 #include "dice.h"
 #include "pack/surface.h"
 #include "polyhedra/mesh.h"

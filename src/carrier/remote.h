@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSG_CARRIER_REMOTE_H
+#define CSG_CARRIER_REMOTE_H
+
+/*
+ * Remote: faces of a surface that no other solid's box comes near, or, where that is a surface too,
+ * none of the boxes of its triangles. No ray meets another solid's face where it meets a remote
+ * one, so nobody needs to look for what it coincides with, but for faces of its own surface
+ * (own_faces.h).
+ */
+
+#include "csg/scene.h"
+
+struct csg_remote {
+    uint8_t **near; /* by leaf, by plane: another solid comes near, or comes near a face of the same
+                     * surface that lies on this one's plane; NULL: all faces are remote. */
+    size_t num_leaves;
+    double rounding; /* that they were found with */
+};
+
+/* Of the surfaces among the leaves that wanted marks; rounding: the largest of these. false: out of
+ * memory. */
+bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scene,
+                     const bool *wanted, double rounding);
+void csg_remote_finish(struct csg_remote *remote);
+
+/* The same for one surface: near, which may be NULL. */
+bool csg_remote_find_one(const struct csgcast_scene *scene, const bool *wanted, double rounding,
+                         uint32_t leaf, uint8_t **near);
+
+/* What no other solid's box comes to makes no difference to a surface in it. */
+struct csg_box csg_remote_around(const struct csgcast_scene *scene, double rounding, uint32_t leaf);
+
+#endif
