@@ -18,8 +18,7 @@ struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *buil
         return (struct csg_leaf_extent){csg_map_point(&shape->frame, csg_vec3(0, 0, 0)), INFINITY,
                                         builder->radius, rounding};
     const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
-    return (struct csg_leaf_extent){csg_scale(0.5, csg_add(box.lo, box.hi)), radius, radius,
-                                    rounding};
+    return (struct csg_leaf_extent){csg_box_middle(&box), radius, radius, rounding};
 }
 
 double csg_carrier_tolerance(const struct csg_leaf_extent *extent, double other_rounding)

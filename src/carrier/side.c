@@ -8,11 +8,6 @@ struct span {
     double lo, hi;
 };
 
-static struct csg_vec3 center_of(const struct csg_box *box)
-{
-    return csg_scale(0.5, csg_add(box->lo, box->hi));
-}
-
 static struct csg_vec3 half_of(const struct csg_box *box)
 {
     return csg_scale(0.5, csg_sub(box->hi, box->lo));
@@ -28,7 +23,7 @@ static struct span plane_span(const struct csgcast_scene *scene, struct csg_face
                               const struct csg_box *box)
 {
     const struct csg_plane *plane = &scene->carriers->planes[face.carrier];
-    const double height = csg_dot(plane->normal, center_of(box)) - plane->offset;
+    const double height = csg_dot(plane->normal, csg_box_middle(box)) - plane->offset;
     const double mid = face.flipped ? -height : height;
     const double reach = csg_dot(absolute(plane->normal), half_of(box)) +
                          NOISE * (fabs(plane->offset) + fabs(height));
@@ -41,7 +36,7 @@ static struct span quadric_span(const struct csgcast_scene *scene, uint32_t leaf
 {
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     const struct csg_quadric *quadric = csg_carrier_quadric(scene, scene->carriers, face.carrier);
-    const struct csg_vec3 center = center_of(box), half = half_of(box);
+    const struct csg_vec3 center = csg_box_middle(box), half = half_of(box);
     const struct csg_vec3 p = csg_map_point(&quadric->to_canon, center);
     const double value = csg_quadric_value(quadric, center);
     const double slope = csg_dot(absolute(csg_quadric_gradient(quadric, center)), half);
@@ -63,7 +58,7 @@ static bool is_on_sheet(const struct csgcast_scene *scene, uint32_t leaf, const 
     const struct csg_quadric *quadric = csg_carrier_quadric(scene, scene->carriers, face.carrier);
     const int sheet = scene->carriers->sheets[leaf];
     return !scene->leaves[leaf].shape.convex ||
-           sheet * csg_map_point(&quadric->to_canon, center_of(box)).z >= 0;
+           sheet * csg_map_point(&quadric->to_canon, csg_box_middle(box)).z >= 0;
 }
 
 bool csg_side_is_box(const struct csgcast_scene *scene, uint32_t leaf)

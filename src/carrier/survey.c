@@ -260,7 +260,7 @@ bool csg_carrier_outline(struct csg_carrier_builder *builder)
     const struct outline outline = find_outline(&survey, num_chunks);
     const struct csg_box *box = &outline.box;
     const bool empty = csg_box_is_empty(box);
-    builder->center = empty ? csg_vec3(0, 0, 0) : csg_scale(0.5, csg_add(box->lo, box->hi));
+    builder->center = empty ? csg_vec3(0, 0, 0) : csg_box_middle(box);
     builder->radius = empty ? 1 : room * 0.5 * csg_length(csg_sub(box->hi, box->lo));
     builder->largest_rounding = outline.rounding;
     builder->most_rounding = room * outline.rounding;

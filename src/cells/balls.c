@@ -16,7 +16,7 @@ struct dominator {
 static bool ball_of(const struct csg_cell_leaf *leaves, uint32_t leaf, struct ball *ball)
 {
     const struct csg_box *box = &leaves[leaf].box;
-    ball->center = csg_scale(0.5, csg_add(box->lo, box->hi));
+    ball->center = csg_box_middle(box);
     ball->radius = leaves[leaf].radius;
     return ball->radius > 0;
 }
@@ -31,7 +31,7 @@ static bool holds(const struct ball *outer, const struct ball *inner, const stru
                   double margin)
 {
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
-    const struct csg_vec3 middle = csg_scale(0.5, csg_add(box->lo, box->hi));
+    const struct csg_vec3 middle = csg_box_middle(box);
     const struct csg_vec3 slope = csg_scale(2, csg_sub(inner->center, outer->center));
     const struct csg_vec3 between = csg_scale(0.5, csg_add(inner->center, outer->center));
     const double most = csg_dot(slope, csg_sub(middle, between)) + fabs(slope.x) * half.x +
@@ -45,7 +45,7 @@ static bool holds(const struct ball *outer, const struct ball *inner, const stru
 static void find_dominators(const struct csg_cell_leaf *leaves, const struct csg_tree *tree,
                             const struct csg_box *box, struct dominator found[2])
 {
-    const struct csg_vec3 middle = csg_scale(0.5, csg_add(box->lo, box->hi));
+    const struct csg_vec3 middle = csg_box_middle(box);
     for (uint32_t i = 1; i < tree->num; i++) {
         struct dominator own = {.place = i};
         if (!ball_of(leaves, tree->data[i].leaf, &own.ball))

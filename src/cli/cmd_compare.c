@@ -92,7 +92,7 @@ static double largest_coordinate(const struct csg_box *box)
     double largest = 0;
     for (int i = 0; i < 8 && !csg_box_is_empty(box); i++) {
         const struct csg_vec3 p = csg_box_corner(box, i);
-        largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        largest = fmax(largest, csg_vec3_largest(p));
     }
     return largest;
 }

@@ -25,19 +25,10 @@ struct csg_map csg_map_multiply(const struct csg_map *a, const struct csg_map *b
     return product;
 }
 
-static struct csg_vec3 row(const struct csg_map *map, int i)
-{
-    return csg_vec3(map->m[i][0], map->m[i][1], map->m[i][2]);
-}
-
-static struct csg_vec3 column(const struct csg_map *map, int j)
-{
-    return csg_vec3(map->m[0][j], map->m[1][j], map->m[2][j]);
-}
-
 double csg_map_determinant(const struct csg_map *map)
 {
-    return csg_dot(column(map, 0), csg_cross(column(map, 1), column(map, 2)));
+    return csg_dot(csg_map_column(map, 0),
+                   csg_cross(csg_map_column(map, 1), csg_map_column(map, 2)));
 }
 
 /* The largest eigenvalue of M M' by Gershgorin's circles. */
@@ -65,7 +56,8 @@ bool csg_map_is_identity(const struct csg_map *map)
 
 bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse)
 {
-    const struct csg_vec3 a = column(map, 0), b = column(map, 1), c = column(map, 2);
+    const struct csg_vec3 a = csg_map_column(map, 0), b = csg_map_column(map, 1),
+                          c = csg_map_column(map, 2);
     const double det = csg_map_determinant(map);
     /* The determinant of a singular matrix of rounded numbers is rounding noise of the product
      * of its column lengths: below that it carries no information. */
@@ -75,7 +67,7 @@ bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse)
     const struct csg_vec3 rows[3] = {csg_scale(1 / det, csg_cross(b, c)),
                                      csg_scale(1 / det, csg_cross(c, a)),
                                      csg_scale(1 / det, csg_cross(a, b))};
-    const struct csg_vec3 offset = column(map, 3);
+    const struct csg_vec3 offset = csg_map_column(map, 3);
     for (int i = 0; i < 3; i++) {
         inverse->m[i][0] = rows[i].x;
         inverse->m[i][1] = rows[i].y;
@@ -87,18 +79,19 @@ bool csg_map_invert(const struct csg_map *map, struct csg_map *inverse)
 
 struct csg_vec3 csg_map_point(const struct csg_map *map, struct csg_vec3 p)
 {
-    return csg_add(csg_map_direction(map, p), column(map, 3));
+    return csg_add(csg_map_direction(map, p), csg_map_column(map, 3));
 }
 
 struct csg_vec3 csg_map_direction(const struct csg_map *map, struct csg_vec3 d)
 {
-    return csg_vec3(csg_dot(row(map, 0), d), csg_dot(row(map, 1), d), csg_dot(row(map, 2), d));
+    return csg_vec3(csg_dot(csg_map_row(map, 0), d), csg_dot(csg_map_row(map, 1), d),
+                    csg_dot(csg_map_row(map, 2), d));
 }
 
 struct csg_vec3 csg_map_transposed(const struct csg_map *map, struct csg_vec3 n)
 {
-    return csg_vec3(csg_dot(column(map, 0), n), csg_dot(column(map, 1), n),
-                    csg_dot(column(map, 2), n));
+    return csg_vec3(csg_dot(csg_map_column(map, 0), n), csg_dot(csg_map_column(map, 1), n),
+                    csg_dot(csg_map_column(map, 2), n));
 }
 
 bool csg_box_is_empty(const struct csg_box *box)

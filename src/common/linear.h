@@ -27,10 +27,26 @@ static inline struct csg_vec3 csg_vec3(double x, double y, double z)
     return (struct csg_vec3){x, y, z};
 }
 
+static inline struct csg_vec3 csg_vec3_of(const double v[3])
+{
+    return csg_vec3(v[0], v[1], v[2]);
+}
+
 /* axis: 0 to 2 */
 static inline double csg_vec3_component(struct csg_vec3 a, int axis)
 {
     return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+/* The size of the largest component. */
+static inline double csg_vec3_largest(struct csg_vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
+static inline bool csg_vec3_is_finite(struct csg_vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
 static inline struct csg_vec3 csg_add(struct csg_vec3 a, struct csg_vec3 b)
@@ -73,6 +89,18 @@ static inline struct csg_vec3 csg_normalize(struct csg_vec3 a)
 extern const struct csg_map csg_map_identity;
 
 struct csg_map csg_map_scaling(struct csg_vec3 by);
+
+/* i: 0 to 2 */
+static inline struct csg_vec3 csg_map_row(const struct csg_map *map, int i)
+{
+    return csg_vec3(map->m[i][0], map->m[i][1], map->m[i][2]);
+}
+
+/* i: 0 to 2, or 3, the offset */
+static inline struct csg_vec3 csg_map_column(const struct csg_map *map, int i)
+{
+    return csg_vec3(map->m[0][i], map->m[1][i], map->m[2][i]);
+}
 
 /* The map that applies b first, then a. */
 struct csg_map csg_map_multiply(const struct csg_map *a, const struct csg_map *b);
@@ -121,6 +149,11 @@ static inline struct csg_box csg_box_union(const struct csg_box *a, const struct
 static inline bool csg_nearly(double a, double b)
 {
     return fabs(a - b) <= 4 * DBL_EPSILON * fmax(fabs(a), fabs(b));
+}
+
+static inline struct csg_vec3 csg_box_middle(const struct csg_box *box)
+{
+    return csg_scale(0.5, csg_add(box->lo, box->hi));
 }
 
 void csg_box_extend(struct csg_box *box, struct csg_vec3 p);

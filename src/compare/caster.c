@@ -119,7 +119,7 @@ static void copy_centered(struct embree_caster *caster, const struct csg_soup *s
 {
     if (soup->num_triangles > 0) {
         const struct csg_vec3 diagonal = csg_sub(soup->bounds.hi, soup->bounds.lo);
-        caster->center = csg_scale(0.5, csg_add(soup->bounds.lo, soup->bounds.hi));
+        caster->center = csg_box_middle(&soup->bounds);
         caster->radius = 0.5 * csg_length(diagonal);
     }
     for (size_t i = 0; i < soup->num_triangles; i++)

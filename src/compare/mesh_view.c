@@ -11,20 +11,15 @@
 static const double bridge_slack = 0.5;
 static const double bridge_floor = 1e-6; /* of the depth: two equal planes */
 
-static struct csg_vec3 from_array(const double v[3])
-{
-    return csg_vec3(v[0], v[1], v[2]);
-}
-
 struct csg_mesh_ray csg_frustum_ray(const struct csgcast_frustum *frustum, int width, int height,
                                     double x, double y)
 {
     const double right = frustum->half_width * (2 * x / width - 1);
     const double up = frustum->half_height * (1 - 2 * y / height);
-    const struct csg_vec3 eye = from_array(frustum->eye);
-    const struct csg_vec3 forward = from_array(frustum->forward);
-    const struct csg_vec3 across = csg_add(csg_scale(right, from_array(frustum->right)),
-                                           csg_scale(up, from_array(frustum->up)));
+    const struct csg_vec3 eye = csg_vec3_of(frustum->eye);
+    const struct csg_vec3 forward = csg_vec3_of(frustum->forward);
+    const struct csg_vec3 across = csg_add(csg_scale(right, csg_vec3_of(frustum->right)),
+                                           csg_scale(up, csg_vec3_of(frustum->up)));
     if (frustum->orthographic)
         return (struct csg_mesh_ray){.org = csg_add(eye, across), .dir = forward, .tnear = 0};
     return (struct csg_mesh_ray){.org = eye, .dir = csg_add(forward, across), .tnear = 0};

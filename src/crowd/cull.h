@@ -27,6 +27,18 @@ struct csg_candidate {
     bool owns;    /* it is drawn where it owns pixels, see crowd/owners.h */
 };
 
+static inline struct csg_pixels csg_candidate_pixels(const struct csg_candidate *candidate)
+{
+    return (struct csg_pixels){{candidate->lo[0], candidate->lo[1]},
+                               {candidate->hi[0], candidate->hi[1]}};
+}
+
+static inline size_t csg_candidate_num_pixels(const struct csg_candidate *candidate)
+{
+    const struct csg_pixels pixels = csg_candidate_pixels(candidate);
+    return csg_count_pixels(&pixels);
+}
+
 /* A run of members of one class, and what is left of it. */
 struct csg_crowd_block {
     uint32_t class;

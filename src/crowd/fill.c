@@ -48,12 +48,6 @@ static size_t texels_of(const struct csg_crowd_class *class)
     return (size_t)CSG_BLOCK_TEXELS((int)class->has_quadric, (int)class->num_planes);
 }
 
-static size_t pixels_of(const struct csg_candidate *candidate)
-{
-    return (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
-           (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
-}
-
 /* Pixels lo to hi, both included, in clip space. */
 static void put_rect(const struct csg_screen *screen, const int lo[2], const int hi[2],
                      float rect[4])
@@ -132,7 +126,8 @@ static void fill_block(void *user, size_t task)
         put_member(filler, candidate, filler->first[task] + i, out);
         if (!candidate->by_rect)
             continue;
-        filler->pixels[task] += filler->cull.demoted[candidate->member] ? 0 : pixels_of(candidate);
+        filler->pixels[task] +=
+            filler->cull.demoted[candidate->member] ? 0 : csg_candidate_num_pixels(candidate);
         out += stride_of(class);
     }
 }
@@ -319,7 +314,7 @@ static void count_singles(struct filler *filler)
             const struct csg_candidate *candidate = &cull->candidates[j];
             if (!cull->demoted[candidate->member])
                 csg_singles_note(singles, filler->scene, cull->view.crowd->leaf[candidate->member],
-                                 candidate->by_rect ? pixels_of(candidate) : 0);
+                                 candidate->by_rect ? csg_candidate_num_pixels(candidate) : 0);
         }
     }
 }

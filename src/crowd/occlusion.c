@@ -37,12 +37,6 @@ float csg_occlusion_near(const struct csg_screen *screen, double t)
     return (float)(key - csg_occlusion_noise(screen, key));
 }
 
-static struct csg_pixels pixels_of(const struct csg_candidate *candidate)
-{
-    return (struct csg_pixels){{candidate->lo[0], candidate->lo[1]},
-                               {candidate->hi[0], candidate->hi[1]}};
-}
-
 static void set_pixels(struct csg_candidate *candidate, const struct csg_pixels *pixels)
 {
     for (int i = 0; i < 2; i++) {
@@ -56,7 +50,7 @@ static bool prepare(const struct csg_cull *cull, const struct csg_relief *relief
                     const struct csg_candidate *candidate, const float *terms,
                     struct csg_cast *cast)
 {
-    const struct csg_pixels pixels = pixels_of(candidate);
+    const struct csg_pixels pixels = csg_candidate_pixels(candidate);
     const struct csg_cast_rect rect = csg_relief_offsets(relief, &pixels);
     const struct csg_crowd_class *class = &cull->view.crowd->classes[candidate->class];
     const float noise = (float)csg_occlusion_noise(screen_of(cull), (double)candidate->key);
@@ -91,16 +85,10 @@ static bool may_show(const struct drawing *drawing, float key, const struct csg_
     return shows;
 }
 
-static size_t num_pixels(const struct csg_candidate *candidate)
-{
-    return (size_t)(candidate->hi[0] - candidate->lo[0] + 1) *
-           (size_t)(candidate->hi[1] - candidate->lo[1] + 1);
-}
-
 /* Kin are told apart by the order in which they are drawn. */
 static uint32_t owner_of(const struct csg_cull *cull, const struct csg_candidate *candidate)
 {
-    const bool can_own = num_pixels(candidate) <= MAX_OWNER_PIXELS &&
+    const bool can_own = csg_candidate_num_pixels(candidate) <= MAX_OWNER_PIXELS &&
                          cull->view.crowd->kin[candidate->member] == CSG_CROWD_NO_KIN;
     return can_own ? candidate->member : CSG_NOBODY;
 }
@@ -142,7 +130,7 @@ static void draw_strip(void *user, size_t task)
         const struct csg_candidate *occluder = &cull->candidates[occluders->order[i]];
         if (i + PREFETCHED < occluders->begin[task + 1])
             csg_prefetch(&cull->candidates[occluders->order[i + PREFETCHED]]);
-        struct csg_pixels pixels = pixels_of(occluder);
+        struct csg_pixels pixels = csg_candidate_pixels(occluder);
         pixels.lo[1] = pixels.lo[1] > begin ? pixels.lo[1] : begin;
         pixels.hi[1] = pixels.hi[1] < end ? pixels.hi[1] : end;
         if (may_show(drawing, occluder->key, &pixels))
@@ -242,7 +230,7 @@ bool csg_occlusion_draw(struct csg_cull *cull)
 static bool shows_by_rect(struct csg_cull *cull, struct csg_candidate *candidate)
 {
     const bool opaque = csg_hides_others(cull, candidate);
-    struct csg_pixels pixels = pixels_of(candidate);
+    struct csg_pixels pixels = csg_candidate_pixels(candidate);
     struct csg_cast cast;
     /* What was hidden when its turn came still is. */
     if (opaque && !cull->drawn[candidate->member])
@@ -276,7 +264,7 @@ static bool shows_on_any(const struct drawing *drawing, struct csg_candidate *ca
         return true;
     struct csg_pixels all = {{INT16_MAX, INT16_MAX}, {-1, -1}};
     for (size_t i = 0; i < drawing->num_reliefs; i++) {
-        struct csg_pixels pixels = pixels_of(candidate);
+        struct csg_pixels pixels = csg_candidate_pixels(candidate);
         if (!csg_relief_narrow(&drawing->reliefs[i], &cast, false, &pixels))
             continue;
         for (int j = 0; j < 2; j++) {

@@ -20,11 +20,6 @@ static void put(double *numbers, struct csg_vec3 v)
     numbers[2] = v.z;
 }
 
-static struct csg_vec3 column(const struct csg_map *map, int i)
-{
-    return csg_vec3(map->m[0][i], map->m[1][i], map->m[2][i]);
-}
-
 /* The corner of a box of these half-edges is further away than any point of what is in it. */
 static double reach_of(const struct csg_vec3 axes[3])
 {
@@ -45,10 +40,10 @@ static void measure_box(const struct csg_shape *shape, struct csg_outline_ball *
     const double size[3] = {half.x, half.y, half.z};
     struct csg_vec3 axes[3];
     for (int i = 0; i < 3; i++) {
-        axes[i] = csg_scale(size[i], column(&shape->frame, i));
+        axes[i] = csg_scale(size[i], csg_map_column(&shape->frame, i));
         put(numbers + 3 * i, axes[i]);
     }
-    ball->center = csg_map_point(&shape->frame, csg_scale(0.5, csg_add(box->lo, box->hi)));
+    ball->center = csg_map_point(&shape->frame, csg_box_middle(box));
     ball->radius = reach_of(axes);
 }
 
@@ -59,10 +54,10 @@ static void measure_ellipsoid(const struct csg_map *from_canon, struct csg_outli
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        put(numbers + 3 * i, column(from_canon, i));
-        sum += csg_dot(column(from_canon, i), column(from_canon, i));
+        put(numbers + 3 * i, csg_map_column(from_canon, i));
+        sum += csg_dot(csg_map_column(from_canon, i), csg_map_column(from_canon, i));
     }
-    ball->center = column(from_canon, 3);
+    ball->center = csg_map_column(from_canon, 3);
     ball->radius = sqrt(sum);
 }
 
@@ -71,9 +66,11 @@ static bool find_cap(const struct csg_plane *plane, const struct csg_map *from_c
 {
     const struct csg_vec3 n = plane->normal;
     for (int i = 0; i < 2; i++)
-        if (fabs(csg_dot(n, column(from_canon, i))) > NOISE * csg_length(column(from_canon, i)))
+        if (fabs(csg_dot(n, csg_map_column(from_canon, i))) >
+            NOISE * csg_length(csg_map_column(from_canon, i)))
             return false;
-    *z = (plane->offset - csg_dot(n, column(from_canon, 3))) / csg_dot(n, column(from_canon, 2));
+    *z = (plane->offset - csg_dot(n, csg_map_column(from_canon, 3))) /
+         csg_dot(n, csg_map_column(from_canon, 2));
     return isfinite(*z);
 }
 
@@ -101,11 +98,11 @@ static bool measure_discs(const struct csg_shape *shape, const struct csg_quadri
     const double least = z[0] * z[1] < 0 ? fmin(fabs(z[0]), fabs(z[1])) : 0; /* of both nappes */
     if (cone && (least > NOISE * most || most > MAX_APEX * height))
         return false;
-    const struct csg_vec3 a = column(from_canon, 0), b = column(from_canon, 1);
-    const struct csg_vec3 w = column(from_canon, 2);
+    const struct csg_vec3 a = csg_map_column(from_canon, 0), b = csg_map_column(from_canon, 1);
+    const struct csg_vec3 w = csg_map_column(from_canon, 2);
     const struct csg_vec3 half = csg_scale(0.5 * (z[1] - z[0]), w);
     const double lower = cone ? fabs(z[0]) : 1, upper = cone ? fabs(z[1]) : 1;
-    ball->center = csg_add(column(from_canon, 3), csg_scale(0.5 * (z[0] + z[1]), w));
+    ball->center = csg_add(csg_map_column(from_canon, 3), csg_scale(0.5 * (z[0] + z[1]), w));
     ball->radius = fmax(disc_reach(half, a, b, lower), disc_reach(half, a, b, upper));
     put(numbers, half);
     put(numbers + 3, a);

@@ -189,7 +189,7 @@ static void note(const struct csg_relief *relief, const struct part *part)
     const struct csg_pixels *p = &part->pixels;
     if (!part->square)
         return;
-    part->square->news += (size_t)(p->hi[0] - p->lo[0] + 1) * (size_t)(p->hi[1] - p->lo[1] + 1);
+    part->square->news += csg_count_pixels(p);
     if (part->square->news >= PIXELS_PER_LOOK)
         look_at(relief, part);
 }

@@ -18,6 +18,12 @@ struct csg_pixels {
     int lo[2], hi[2];
 };
 
+static inline size_t csg_count_pixels(const struct csg_pixels *pixels)
+{
+    return (size_t)(pixels->hi[0] - pixels->lo[0] + 1) *
+           (size_t)(pixels->hi[1] - pixels->lo[1] + 1);
+}
+
 /* What is known of all pixels of a square. */
 struct csg_square {
     float far;            /* what is behind it is hidden */

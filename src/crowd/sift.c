@@ -92,7 +92,7 @@ static void look_at(const struct sift *sift, uint32_t index, struct sifted *out)
         (!screen->orthographic && !(depth[0] > 2 * screen->near)))
         return;
     const struct csg_seen_ball ball =
-        csg_camera_see(&sift->camera, csg_scale(0.5, csg_add(box->lo, box->hi)), csg_length(half));
+        csg_camera_see(&sift->camera, csg_box_middle(box), csg_length(half));
     out->state = GONE;
     if (!csg_outline_project(&sift->camera, CSG_OUTLINE_BOX, axes, &ball, &print))
         return;
@@ -100,12 +100,6 @@ static void look_at(const struct sift *sift, uint32_t index, struct sifted *out)
     out->key = csg_occlusion_near(screen, depth[0]);
     memcpy(out->lo, print.lo, sizeof out->lo);
     memcpy(out->hi, print.hi, sizeof out->hi);
-}
-
-static size_t count_pixels(const struct csg_pixels *pixels)
-{
-    return (size_t)(pixels->hi[0] - pixels->lo[0] + 1) *
-           (size_t)(pixels->hi[1] - pixels->lo[1] + 1);
 }
 
 static void add_chunk(struct chunk *into, const struct chunk *chunk)
@@ -138,7 +132,7 @@ static void look_at_chunk(void *user, size_t task)
         if (!is_wanted(out))
             continue;
         struct chunk one = {out->key, out->key, 0, pixels_of(out)};
-        one.num_pixels = count_pixels(&one.pixels);
+        one.num_pixels = csg_count_pixels(&one.pixels);
         add_chunk(&all, &one);
     }
     sift->chunks[task] = all;
@@ -152,7 +146,7 @@ static bool find_range(struct sift *sift)
         add_chunk(&all, &sift->chunks[i]);
     sift->bins = csg_key_bins(all.lo, all.hi);
     return all.num_pixels > 0 &&
-           (double)all.num_pixels > MIN_LAYERS * (double)count_pixels(&all.pixels);
+           (double)all.num_pixels > MIN_LAYERS * (double)csg_count_pixels(&all.pixels);
 }
 
 /* ---- in which order ----------------------------------------------------------------------- */
@@ -245,7 +239,7 @@ static bool draw_object(const struct sift *sift, size_t i, const struct csg_pixe
     if (!csg_relief_may_show(&sift->relief, sifted->key, pixels))
         return false;
     const struct csg_pixels all = pixels_of(sifted);
-    if (!sift->casts || sifted->state != SOLID || count_pixels(&all) > MAX_CAST_PIXELS)
+    if (!sift->casts || sifted->state != SOLID || csg_count_pixels(&all) > MAX_CAST_PIXELS)
         return true;
     const double noise = csg_occlusion_noise(&sift->frame->screen, (double)sifted->key);
     return !csg_tree_cast_init(&tree, sift->frame, sift->scene, object_of(sift, i), &rect,

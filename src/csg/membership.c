@@ -37,16 +37,11 @@ bool csg_object_contains(const struct csgcast_scene *scene, const struct csg_obj
     return inside;
 }
 
-static double largest(struct csg_vec3 v)
-{
-    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
 double csg_eye_near(const struct csgcast_scene *scene, struct csg_vec3 eye)
 {
-    double size = largest(eye);
+    double size = csg_vec3_largest(eye);
     if (csg_box_is_finite(&scene->box) && !csg_box_is_empty(&scene->box))
-        size = fmax(size, fmax(largest(scene->box.lo), largest(scene->box.hi)));
+        size = fmax(size, fmax(csg_vec3_largest(scene->box.lo), csg_vec3_largest(scene->box.hi)));
     return NEAR_EYE * size;
 }
 

@@ -10,11 +10,6 @@
 #define LEAST_SIZE 0.1
 #define LARGEST_SIZE 1e4
 
-static struct csg_vec3 from_array(const double v[3])
-{
-    return csg_vec3(v[0], v[1], v[2]);
-}
-
 static double box_size(const struct csg_box *box)
 {
     return csg_box_is_empty(box) || !csg_box_is_finite(box) ? 0
@@ -31,7 +26,7 @@ static double choose_unit(double size)
 static struct csg_vec3 find_location(const struct csg_pov *pov)
 {
     const struct csgcast_frustum *frustum = &pov->frustum;
-    const struct csg_vec3 eye = from_array(frustum->eye), forward = from_array(frustum->forward);
+    const struct csg_vec3 eye = csg_vec3_of(frustum->eye), forward = csg_vec3_of(frustum->forward);
     const struct csg_box *box = &pov->scene->box;
     double nearest = 0;
     if (!frustum->orthographic || !(pov->size > 0))
@@ -55,9 +50,9 @@ static void write_camera(const struct csg_pov *pov)
     csg_text_open(pov->text, "camera");
     csg_text_line(pov->text, "%s", frustum->orthographic ? "orthographic" : "perspective");
     write_vector(pov, "location", csg_scale(pov->unit, find_location(pov)));
-    write_vector(pov, "direction", from_array(frustum->forward));
-    write_vector(pov, "right", csg_scale(size * frustum->half_width, from_array(frustum->right)));
-    write_vector(pov, "up", csg_scale(size * frustum->half_height, from_array(frustum->up)));
+    write_vector(pov, "direction", csg_vec3_of(frustum->forward));
+    write_vector(pov, "right", csg_scale(size * frustum->half_width, csg_vec3_of(frustum->right)));
+    write_vector(pov, "up", csg_scale(size * frustum->half_height, csg_vec3_of(frustum->up)));
     csg_text_close(pov->text);
 }
 
@@ -66,9 +61,9 @@ static void write_light(const struct csg_pov *pov, double sign)
 {
     const struct csgcast_frustum *frustum = &pov->frustum;
     const struct csg_vec3 direction =
-        csg_add(csg_add(csg_scale(CSG_LIGHT_X, from_array(frustum->right)),
-                        csg_scale(CSG_LIGHT_Y, from_array(frustum->up))),
-                csg_scale(-CSG_LIGHT_Z, from_array(frustum->forward)));
+        csg_add(csg_add(csg_scale(CSG_LIGHT_X, csg_vec3_of(frustum->right)),
+                        csg_scale(CSG_LIGHT_Y, csg_vec3_of(frustum->up))),
+                csg_scale(-CSG_LIGHT_Z, csg_vec3_of(frustum->forward)));
     char from[CSG_TEXT_VECTOR];
     csg_text_line(pov->text, "light_source { %s, rgb 1 parallel point_at 0 shadowless }",
                   csg_text_vector(from, csg_scale(1e6 * sign, direction)));

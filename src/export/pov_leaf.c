@@ -17,11 +17,6 @@
  * same polygons. */
 #define MAX_PLANES 64
 
-static struct csg_vec3 column(const struct csg_map *map, int i)
-{
-    return csg_vec3(map->m[0][i], map->m[1][i], map->m[2][i]);
-}
-
 static void write_vector_line(struct csg_text *text, const char *head, struct csg_vec3 v,
                               const char *tail)
 {
@@ -35,7 +30,7 @@ static void write_matrix(struct csg_text *text, const struct csg_map *map)
     csg_text_line(text, "matrix <");
     for (int i = 0; i < 4; i++) {
         char x[CSG_TEXT_NUMBER], y[CSG_TEXT_NUMBER], z[CSG_TEXT_NUMBER];
-        const struct csg_vec3 v = column(map, i);
+        const struct csg_vec3 v = csg_map_column(map, i);
         csg_text_line(text, "  %s, %s, %s%s", csg_text_number(x, v.x), csg_text_number(y, v.y),
                       csg_text_number(z, v.z), i < 3 ? "," : ">");
     }
@@ -51,14 +46,15 @@ static void finish(struct csg_text *text, const char *tail)
 /* Whether the first num axes of the map have one length and stand upright on each other. */
 static bool is_round(const struct csg_map *map, int num)
 {
-    const double length = csg_length(column(map, 0));
+    const double length = csg_length(csg_map_column(map, 0));
     for (int i = 0; i < 3; i++) {
-        const struct csg_vec3 axis = column(map, i);
+        const struct csg_vec3 axis = csg_map_column(map, i);
         const double size = csg_length(axis);
         if (i < num && !(fabs(size - length) <= SAME * length))
             return false;
         for (int j = 0; j < i; j++)
-            if (!(fabs(csg_dot(axis, column(map, j))) <= SAME * size * csg_length(column(map, j))))
+            if (!(fabs(csg_dot(axis, csg_map_column(map, j))) <=
+                  SAME * size * csg_length(csg_map_column(map, j))))
                 return false;
     }
     return true;
@@ -82,8 +78,8 @@ static bool write_sphere(struct csg_text *text, const struct csg_shape *shape,
         return false;
     csg_text_open(text, "sphere");
     if (is_round(from_canon, 3)) {
-        csg_text_line(text, "%s, %s", csg_text_vector(center, column(from_canon, 3)),
-                      csg_text_number(radius, csg_length(column(from_canon, 0))));
+        csg_text_line(text, "%s, %s", csg_text_vector(center, csg_map_column(from_canon, 3)),
+                      csg_text_number(radius, csg_length(csg_map_column(from_canon, 0))));
     } else {
         csg_text_line(text, "0, 1");
         write_matrix(text, from_canon);
@@ -103,8 +99,9 @@ static bool find_ends(const struct csg_shape *shape, const struct csg_map *from_
     for (size_t i = 0; i < shape->num_planes; i++) {
         const struct csg_plane *plane = &shape->planes[i];
         const struct csg_vec3 normal = csg_map_transposed(from_canon, plane->normal);
-        const double offset = plane->offset - csg_dot(plane->normal, column(from_canon, 3));
-        const double reach = csg_length(column(from_canon, 0)) + csg_length(column(from_canon, 1));
+        const double offset = plane->offset - csg_dot(plane->normal, csg_map_column(from_canon, 3));
+        const double reach =
+            csg_length(csg_map_column(from_canon, 0)) + csg_length(csg_map_column(from_canon, 1));
         if (!(hypot(normal.x, normal.y) <= SAME * reach))
             return false;
         if (normal.z > 0)
@@ -119,7 +116,7 @@ static void write_round_ends(struct csg_text *text, const struct csg_map *map, b
                              double lo, double hi)
 {
     char a[CSG_TEXT_VECTOR], b[CSG_TEXT_VECTOR], r[CSG_TEXT_NUMBER], s[CSG_TEXT_NUMBER];
-    const double radius = csg_length(column(map, 0));
+    const double radius = csg_length(csg_map_column(map, 0));
     csg_text_vector(a, csg_map_point(map, csg_vec3(0, 0, lo)));
     csg_text_vector(b, csg_map_point(map, csg_vec3(0, 0, hi)));
     if (is_cone)
@@ -196,7 +193,7 @@ static bool find_box(const struct csg_shape *shape, struct csg_map *to_box)
 static bool is_upright(const struct csg_map *map)
 {
     for (int i = 0; i < 3; i++) {
-        const struct csg_vec3 v = column(map, i);
+        const struct csg_vec3 v = csg_map_column(map, i);
         if ((v.x != 0) + (v.y != 0) + (v.z != 0) != 1)
             return false;
     }
@@ -265,8 +262,7 @@ static void write_plane(struct csg_text *text, const struct csg_plane *plane)
 static void write_quadric(struct csg_text *text, const struct csg_shape *shape)
 {
     const struct csg_quadric *quadric = &shape->quadric;
-    const struct csg_vec3 z =
-        csg_vec3(quadric->to_canon.m[2][0], quadric->to_canon.m[2][1], quadric->to_canon.m[2][2]);
+    const struct csg_vec3 z = csg_map_row(&quadric->to_canon, 2);
     struct csg_map from_canon;
     double c[10] = {quadric->diag[0],    quadric->diag[1], quadric->diag[2], 0, 0, 0, 0, 0,
                     2 * quadric->linear, quadric->diag[3]};

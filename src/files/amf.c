@@ -46,7 +46,7 @@ static bool end_object(struct reader *reader)
 static bool end_point(struct reader *reader)
 {
     const double *p = reader->point;
-    return csg_mesh_add_point(&reader->mesh, csg_vec3(p[0], p[1], p[2]));
+    return csg_mesh_add_point(&reader->mesh, csg_vec3_of(p));
 }
 
 static bool end_triangle(struct reader *reader)

@@ -19,11 +19,6 @@ struct gimbal {
 
 static const struct gimbal default_gimbal = {{0, 0, 0}, {55, 0, 25}, DEFAULT_DISTANCE};
 
-static struct csg_vec3 from_array(const double v[3])
-{
-    return csg_vec3(v[0], v[1], v[2]);
-}
-
 /* The rotation that looks along direction with +z up; straight down has +y up, straight up -y. */
 static void look_along(struct csg_vec3 direction, double rotate[3])
 {
@@ -37,13 +32,13 @@ static struct gimbal gimbal_of(const struct csgcast_camera *camera)
 {
     struct gimbal gimbal = default_gimbal;
     if (camera->kind == CSGCAST_CAMERA_GIMBAL) {
-        gimbal.target = from_array(camera->translate);
+        gimbal.target = csg_vec3_of(camera->translate);
         for (int i = 0; i < 3; i++)
             gimbal.rotate[i] = camera->rotate[i];
         gimbal.distance = camera->distance;
     } else if (camera->kind == CSGCAST_CAMERA_VECTOR) {
-        gimbal.target = from_array(camera->center);
-        const struct csg_vec3 direction = csg_sub(gimbal.target, from_array(camera->eye));
+        gimbal.target = csg_vec3_of(camera->center);
+        const struct csg_vec3 direction = csg_sub(gimbal.target, csg_vec3_of(camera->eye));
         look_along(direction, gimbal.rotate);
         gimbal.distance = csg_length(direction);
     }
@@ -67,8 +62,8 @@ static void frame_scene(const struct csgcast_scene *scene, bool autocenter, doub
         return;
     }
     if (autocenter)
-        gimbal->target = csg_scale(0.5, csg_add(box.lo, box.hi));
-    const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
+        gimbal->target = csg_box_middle(&box);
+    const struct csg_vec3 center = csg_box_middle(&box);
     const double radius =
         csg_length(csg_sub(center, gimbal->target)) + 0.5 * csg_length(csg_sub(box.hi, box.lo));
     gimbal->distance = radius / sin(0.5 * fov * DEGREE);
@@ -96,8 +91,8 @@ static bool is_finite_camera(const struct gimbal *gimbal)
 {
     const double *r = gimbal->rotate;
     const struct csg_vec3 t = gimbal->target;
-    return isfinite(t.x) && isfinite(t.y) && isfinite(t.z) && isfinite(r[0]) && isfinite(r[1]) &&
-           isfinite(r[2]) && isfinite(gimbal->distance) && gimbal->distance > 0;
+    return csg_vec3_is_finite(t) && isfinite(r[0]) && isfinite(r[1]) && isfinite(r[2]) &&
+           isfinite(gimbal->distance) && gimbal->distance > 0;
 }
 
 static bool argument_error(const struct csgcast_scene *scene, const char *text)

@@ -44,7 +44,7 @@ static struct corner corner_of(const struct shear *shear, struct csg_vec3 point)
 
 static bool meets_box(const struct shear *shear, const struct csg_box *box)
 {
-    const struct csg_vec3 middle = csg_sub(csg_scale(0.5, csg_add(box->lo, box->hi)), shear->org);
+    const struct csg_vec3 middle = csg_sub(csg_box_middle(box), shear->org);
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
     const double z = csg_vec3_component(middle, shear->z),
                  reach = csg_vec3_component(half, shear->z);

@@ -77,23 +77,18 @@ struct csg_surface *csg_surface_placed(struct csg_surface *surface, const struct
     return copy;
 }
 
-static bool is_finite(struct csg_vec3 v)
-{
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
 void csg_surface_measure(struct csg_surface *surface)
 {
     bool finite = true;
     double size = 0;
     for (size_t i = 0; i < surface->points.num; i++) {
         const struct csg_vec3 p = surface->points.data[i];
-        finite &= is_finite(p);
-        size = fmax(size, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        finite &= csg_vec3_is_finite(p);
+        size = fmax(size, csg_vec3_largest(p));
     }
     for (size_t i = 0; i < surface->planes.num; i++)
-        finite &=
-            is_finite(surface->planes.data[i].normal) && isfinite(surface->planes.data[i].offset);
+        finite &= csg_vec3_is_finite(surface->planes.data[i].normal) &&
+                  isfinite(surface->planes.data[i].offset);
     surface->size = finite ? size : (double)INFINITY;
 }
 

@@ -38,18 +38,11 @@ static void put(double texel[4], double a, double b, double c, double d)
     texel[3] = d;
 }
 
-static struct csg_vec3 at_pixel(struct csg_vec3 base, struct csg_vec3 dx, struct csg_vec3 dy,
-                                struct csg_pixel at)
-{
-    return csg_add(base, csg_add(csg_scale(at.x, dx), csg_scale(at.y, dy)));
-}
-
 /* Parallel rays: k = c.forward - A - sqrt(r^2 - |across|^2). */
 static void orthographic(const struct csg_screen *screen, struct csg_pixel at,
                          struct csg_vec3 center, double radius, double texels[CSG_BALL_TEXELS][4])
 {
-    const struct csg_vec3 origin =
-        at_pixel(screen->origin, screen->origin_dx, screen->origin_dy, at);
+    const struct csg_vec3 origin = csg_screen_origin(screen, at);
     const struct csg_vec3 c = csg_sub(center, origin);
     const double step = csg_length(screen->origin_dx);
     put(texels[0], csg_dot(c, screen->forward) - screen->a, 0, 0, 0);
@@ -61,8 +54,7 @@ static void perspective(const struct csg_screen *screen, struct csg_pixel at,
                         struct csg_vec3 center, double radius, double texels[CSG_BALL_TEXELS][4])
 {
     const struct csg_vec3 c = csg_sub(center, screen->origin);
-    const struct csg_vec3 direction =
-        at_pixel(screen->direction, screen->direction_dx, screen->direction_dy, at);
+    const struct csg_vec3 direction = csg_screen_direction(screen, at);
     const double step = csg_length(screen->direction_dx), per_step = 1 / step;
     const double x = per_step * csg_dot(c, screen->direction_dx);
     const double y = per_step * csg_dot(c, screen->direction_dy);
@@ -95,10 +87,8 @@ void csg_screen_ball_normal(const struct csg_screen *screen, struct csg_pixel at
                             struct csg_vec3 center, float terms[CSG_NORMAL_TERMS][3])
 {
     struct csg_vec3 n[CSG_NORMAL_TERMS];
-    const struct csg_vec3 e =
-        csg_sub(at_pixel(screen->origin, screen->origin_dx, screen->origin_dy, at), center);
-    const struct csg_vec3 d =
-        at_pixel(screen->direction, screen->direction_dx, screen->direction_dy, at);
+    const struct csg_vec3 e = csg_sub(csg_screen_origin(screen, at), center);
+    const struct csg_vec3 d = csg_screen_direction(screen, at);
     double largest = 0;
     if (screen->orthographic) {
         n[0] = csg_add(e, csg_scale(screen->a, d));

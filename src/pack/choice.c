@@ -44,7 +44,7 @@ static bool is_askew(const struct csgcast_scene *scene, const struct csg_object 
     const size_t num = minuend ? minuend->shape.num_planes : 0;
     for (size_t i = 0; i < num; i++) {
         const struct csg_vec3 n = minuend->shape.planes[i].normal;
-        const double most = fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)));
+        const double most = csg_vec3_largest(n);
         if (most < ACROSS)
             return true;
     }

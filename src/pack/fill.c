@@ -99,7 +99,7 @@ static bool object_rect(struct packer *packer, const struct csg_object *object,
 static struct csg_pixel reference_pixel(const struct csg_screen *screen, const struct csg_box *box)
 {
     if (!csg_box_is_empty(box) && csg_box_is_finite(box))
-        return csg_screen_pixel(screen, csg_scale(0.5, csg_add(box->lo, box->hi)));
+        return csg_screen_pixel(screen, csg_box_middle(box));
     return (struct csg_pixel){floor(0.5 * screen->width), floor(0.5 * screen->height)};
 }
 

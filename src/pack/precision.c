@@ -23,7 +23,7 @@
 
 void csg_depth_range(const struct csg_screen *screen, const struct csg_box *box, double range[2])
 {
-    const struct csg_vec3 middle = csg_scale(0.5, csg_add(box->lo, box->hi));
+    const struct csg_vec3 middle = csg_box_middle(box);
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo)), f = screen->forward;
     const double t = csg_dot(csg_sub(middle, screen->origin), f);
     const double reach = fabs(half.x * f.x) + fabs(half.y * f.y) + fabs(half.z * f.z);
@@ -156,7 +156,7 @@ static double across(const struct csg_box *box, const struct csg_box *focus)
 {
     if (!csg_box_is_finite(box))
         return INFINITY;
-    const struct csg_vec3 middle = csg_scale(0.5, csg_add(focus->lo, focus->hi));
+    const struct csg_vec3 middle = csg_box_middle(focus);
     const struct csg_vec3 lo = csg_sub(box->lo, middle), hi = csg_sub(box->hi, middle);
     return csg_length(csg_vec3(fmax(fabs(lo.x), fabs(hi.x)), fmax(fabs(lo.y), fabs(hi.y)),
                                fmax(fabs(lo.z), fabs(hi.z))));

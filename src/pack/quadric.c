@@ -41,20 +41,12 @@ static void set4(double out[4], double s, struct csg_vec3 v, double w)
     out[3] = s * w;
 }
 
-static struct csg_vec3 at_pixel(struct csg_vec3 base, struct csg_vec3 dx, struct csg_vec3 dy,
-                                struct csg_pixel at)
-{
-    return csg_add(base, csg_add(csg_scale(at.x, dx), csg_scale(at.y, dy)));
-}
-
 static struct pencil pencil_at(const struct csg_screen *screen, struct csg_pixel at,
                                const struct csg_map *to_canon)
 {
     struct pencil pencil;
-    const struct csg_vec3 origin =
-        at_pixel(screen->origin, screen->origin_dx, screen->origin_dy, at);
-    const struct csg_vec3 direction =
-        at_pixel(screen->direction, screen->direction_dx, screen->direction_dy, at);
+    const struct csg_vec3 origin = csg_screen_origin(screen, at);
+    const struct csg_vec3 direction = csg_screen_direction(screen, at);
     const struct csg_vec3 d = csg_map_direction(to_canon, direction);
     if (screen->orthographic) {
         const struct csg_vec3 middle = csg_add(origin, csg_scale(screen->a, direction));

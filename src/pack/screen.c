@@ -12,16 +12,11 @@
 /* Part of a pixel by which bounds grow: float rounding of the projection in the vertex stage. */
 #define RECT_MARGIN 0.01
 
-static struct csg_vec3 from_array(const double v[3])
-{
-    return csg_vec3(v[0], v[1], v[2]);
-}
-
 static void init_rays(struct csg_screen *screen, const struct csgcast_frustum *frustum)
 {
-    const struct csg_vec3 eye = from_array(frustum->eye), forward = from_array(frustum->forward);
-    const struct csg_vec3 right = csg_scale(frustum->half_width, from_array(frustum->right));
-    const struct csg_vec3 up = csg_scale(frustum->half_height, from_array(frustum->up));
+    const struct csg_vec3 eye = csg_vec3_of(frustum->eye), forward = csg_vec3_of(frustum->forward);
+    const struct csg_vec3 right = csg_scale(frustum->half_width, csg_vec3_of(frustum->right));
+    const struct csg_vec3 up = csg_scale(frustum->half_height, csg_vec3_of(frustum->up));
     const struct csg_vec3 corner = csg_scale(-1, csg_add(right, up));
     const struct csg_vec3 dx = csg_scale(2.0 / screen->width, right);
     const struct csg_vec3 dy = csg_scale(2.0 / screen->height, up);
@@ -178,7 +173,7 @@ struct height {
 
 static struct height height_of(const struct csg_map *frame, struct csg_vec3 n, struct csg_vec3 from)
 {
-    const struct csg_vec3 origin = csg_vec3(frame->m[0][3], frame->m[1][3], frame->m[2][3]);
+    const struct csg_vec3 origin = csg_map_column(frame, 3);
     return (struct height){csg_dot(n, csg_sub(origin, from)), csg_map_transposed(frame, n)};
 }
 

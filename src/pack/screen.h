@@ -46,6 +46,21 @@ struct csg_pixel {
     double x, y;
 };
 
+/* The ray through a pixel; what of it does not change with the pixel has steps of 0. */
+static inline struct csg_vec3 csg_screen_origin(const struct csg_screen *screen,
+                                                struct csg_pixel at)
+{
+    return csg_add(screen->origin,
+                   csg_add(csg_scale(at.x, screen->origin_dx), csg_scale(at.y, screen->origin_dy)));
+}
+
+static inline struct csg_vec3 csg_screen_direction(const struct csg_screen *screen,
+                                                   struct csg_pixel at)
+{
+    return csg_add(screen->direction, csg_add(csg_scale(at.x, screen->direction_dx),
+                                              csg_scale(at.y, screen->direction_dy)));
+}
+
 /* focus: decides where keys are finest; bounded: nothing that will be drawn is outside of it. */
 void csg_screen_init(struct csg_screen *screen, const struct csgcast_frustum *frustum, int width,
                      int height, const struct csg_box *focus, bool bounded);

@@ -48,17 +48,12 @@ static struct csg_view_row pixel_row(const struct csg_surface_view *view,
     return row_of(view, screen, csg_sub(v, csg_scale(along, screen->forward)), 0);
 }
 
-static struct csg_vec3 middle_of(const struct csg_box *box)
-{
-    return csg_scale(0.5, csg_add(box->lo, box->hi));
-}
-
 static void set_rows(struct csg_surface_view *view, const struct csg_screen *screen,
                      struct csg_pixel at)
 {
     const bool flat = screen->orthographic;
     view->flat = flat;
-    view->middle = middle_of(&view->surface->nodes.data[0].box);
+    view->middle = csg_box_middle(&view->surface->nodes.data[0].box);
     view->x = pixel_row(view, screen, flat ? screen->origin_dx : screen->direction_dx, at.x);
     view->y = pixel_row(view, screen, flat ? screen->origin_dy : screen->direction_dy, at.y);
     view->t = row_of(view, screen, screen->forward, 0);
@@ -206,7 +201,7 @@ static void pixel_range(const struct csg_view_row *row, struct csg_vec3 middle,
 static bool box_rect(const struct csg_surface_view *view, const struct csg_box *box,
                      struct csg_view_rect *rect)
 {
-    const struct csg_vec3 middle = csg_sub(middle_of(box), view->middle);
+    const struct csg_vec3 middle = csg_sub(csg_box_middle(box), view->middle);
     const struct csg_vec3 half = csg_scale(0.5, csg_sub(box->hi, box->lo));
     const double t = ask_row(&view->t, middle), depth = reach(view->t.step, half);
     const bool flat = view->flat;
@@ -303,7 +298,7 @@ static bool shows_little(const struct csg_surface_view *view, const struct csg_v
 static void set_near(struct csg_surface_view *view, const struct csg_screen *screen)
 {
     const struct csg_box box = csg_box_map(&view->place, &view->surface->nodes.data[0].box);
-    const struct csg_vec3 center = middle_of(&box);
+    const struct csg_vec3 center = csg_box_middle(&box);
     const double radius = 0.5 * csg_length(csg_sub(box.hi, box.lo));
     const double distance = csg_length(csg_sub(center, screen->origin));
     const double t = fmax(distance - radius, NEAR_SHARE * radius);

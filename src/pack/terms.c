@@ -96,7 +96,7 @@ void csg_terms_crossings(const struct csg_frame *frame, const struct csgcast_sce
     struct csg_vec3 center = {0, 0, 0};
     double radius = INFINITY;
     if (csg_box_is_finite(box)) {
-        center = csg_scale(0.5, csg_add(box->lo, box->hi));
+        center = csg_box_middle(box);
         radius = 0.5 * csg_length(csg_sub(box->hi, box->lo));
     }
     csg_screen_quadric(

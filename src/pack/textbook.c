@@ -28,18 +28,13 @@ static struct form form_of(const struct csg_quadric *quadric)
     return form;
 }
 
-static double largest(struct csg_vec3 v)
-{
-    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
 static double size_of(const struct form *form)
 {
     double size = 0;
     for (int i = 0; i < 3; i++)
-        size = fmax(size, largest(form->a[i]));
+        size = fmax(size, csg_vec3_largest(form->a[i]));
     if (size == 0)
-        size = largest(form->q);
+        size = csg_vec3_largest(form->q);
     return size > 0 ? size : 1;
 }
 

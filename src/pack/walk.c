@@ -35,7 +35,7 @@ static void put_rays(const struct csg_frame *frame, const struct csg_cells *cell
 {
     const struct csg_screen *screen = &frame->screen;
     const struct csg_pixel at = frame->at;
-    const struct csg_vec3 c = csg_scale(0.5, csg_add(cells->box.lo, cells->box.hi));
+    const struct csg_vec3 c = csg_box_middle(&cells->box);
     const struct csg_vec3 direction =
         csg_add(screen->direction, csg_add(csg_scale(at.x, screen->direction_dx),
                                            csg_scale(at.y, screen->direction_dy)));

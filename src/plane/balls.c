@@ -45,7 +45,7 @@ bool csg_shape_is_ball(const struct csg_shape *shape, struct csg_ball *ball)
     double center[3];
     for (int i = 0; i < 3; i++)
         center[i] = -(m[0][i] * m[0][3] + m[1][i] * m[1][3] + m[2][i] * m[2][3]) / square;
-    ball->center = csg_vec3(center[0], center[1], center[2]);
+    ball->center = csg_vec3_of(center);
     ball->radius = 1 / sqrt(square);
     return true;
 }
@@ -57,7 +57,7 @@ static double size_of(const struct csg_ball *balls, size_t num)
     double size = 0;
     for (size_t i = 0; i < num; i++) {
         const struct csg_vec3 c = balls[i].center;
-        size = fmax(size, fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z))) + balls[i].radius);
+        size = fmax(size, csg_vec3_largest(c) + balls[i].radius);
     }
     return size;
 }

@@ -17,11 +17,6 @@ struct basis {
     double lo, hi; /* the planes: n.x is between lo and hi */
 };
 
-static struct csg_vec3 row(const struct csg_map *map, int i)
-{
-    return csg_vec3(map->m[i][0], map->m[i][1], map->m[i][2]);
-}
-
 static bool is_cylinder(const struct csg_shape *shape)
 {
     const int8_t *diag = shape->quadric.diag;
@@ -32,7 +27,7 @@ static bool is_cylinder(const struct csg_shape *shape)
 static struct basis basis_of(const struct csg_shape *shape)
 {
     struct basis basis = {.n = shape->planes[1].normal};
-    basis.u = csg_normalize(row(&shape->quadric.to_canon, 0));
+    basis.u = csg_normalize(csg_map_row(&shape->quadric.to_canon, 0));
     basis.v = csg_cross(basis.n, basis.u);
     basis.hi = shape->planes[1].offset;
     basis.lo = -shape->planes[0].offset;
@@ -45,7 +40,7 @@ static bool find_disc(const struct csg_shape *shape, const struct basis *basis,
                       struct csg_vec2 *center, double *radius)
 {
     const struct csg_map *to = &shape->quadric.to_canon;
-    const struct csg_vec3 a = row(to, 0), b = row(to, 1), n = basis->n;
+    const struct csg_vec3 a = csg_map_row(to, 0), b = csg_map_row(to, 1), n = basis->n;
     const double length = csg_length(a), size = basis->hi - basis->lo + 1 / length;
     const double side = csg_dot(n, shape->planes[1].normal) < 0 ? -1 : 1;
     const struct csg_plane *hi = &shape->planes[side > 0 ? 1 : 0];

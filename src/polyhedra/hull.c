@@ -102,7 +102,7 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
     enum csg_hull_result result = CSG_HULL_DONE;
     for (size_t i = 0; i < points->points.num; i++)
         csg_box_extend(&box, points->points.data[i]);
-    const struct csg_vec3 center = csg_scale(0.5, csg_add(box.lo, box.hi));
+    const struct csg_vec3 center = csg_box_middle(&box);
     struct hull hull = {shape, center};
     for (size_t i = 0; i < points->points.num && result == CSG_HULL_DONE; i++)
         if (!csg_array_push(&moved.points, csg_sub(points->points.data[i], center)))
@@ -154,7 +154,7 @@ static bool add_to_faces(void *user, qhT *qh, const facetT *facet)
  * to the corners. */
 static enum csg_hull_result run_dual(const struct csg_shape *shape, facet_fn *fn, struct dual *dual)
 {
-    const struct csg_vec3 middle = csg_scale(0.5, csg_add(shape->bounds.lo, shape->bounds.hi));
+    const struct csg_vec3 middle = csg_box_middle(&shape->bounds);
     struct csg_points normals = {0};
     enum csg_hull_result result = CSG_HULL_DONE;
     dual->center = csg_map_point(&shape->frame, middle);

@@ -24,7 +24,7 @@ void csg_mesh_finish(struct csg_mesh *mesh)
 
 bool csg_mesh_add_point(struct csg_mesh *mesh, struct csg_vec3 p)
 {
-    mesh->size = fmax(mesh->size, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    mesh->size = fmax(mesh->size, csg_vec3_largest(p));
     return csg_array_push(&mesh->points, p);
 }
 

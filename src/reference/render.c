@@ -22,7 +22,7 @@ static struct csg_vec3 combine(const struct csgcast_frustum *frustum, double x, 
     double v[3];
     for (int i = 0; i < 3; i++)
         v[i] = frustum->right[i] * x + frustum->up[i] * y + frustum->forward[i] * z;
-    return csg_vec3(v[0], v[1], v[2]);
+    return csg_vec3_of(v);
 }
 
 /* Row 0 is on top. */
@@ -86,8 +86,7 @@ static void overlay(const struct job *job, uint8_t layer, const struct csg_ray *
 static double near_of(const struct csgcast_scene *scene, const struct csg_reference_params *params)
 {
     const double *eye = params->frustum->eye;
-    return params->frustum->orthographic ? -INFINITY
-                                         : csg_eye_near(scene, csg_vec3(eye[0], eye[1], eye[2]));
+    return params->frustum->orthographic ? -INFINITY : csg_eye_near(scene, csg_vec3_of(eye));
 }
 
 /* Behind a translucent surface the reference shows the background. *failed: out of memory. */

@@ -193,7 +193,7 @@ static bool is_off_surfaces(const struct csg_request *request)
 {
     const double *eye = request->frustum.eye;
     return request->frustum.orthographic || !request->scene->has_surfaces ||
-           !csg_eye_is_on_surface(request->scene, csg_vec3(eye[0], eye[1], eye[2]));
+           !csg_eye_is_on_surface(request->scene, csg_vec3_of(eye));
 }
 
 /* A context that could not be made says so once; every picture fails. */

@@ -179,7 +179,7 @@ bool csg_raster_upload(struct csg_raster *raster, const struct csg_soup *soup,
     if (!vertices)
         return csg_log_memory(&raster->log);
     if (soup->num_triangles) {
-        mesh->center = csg_scale(0.5, csg_add(soup->bounds.lo, soup->bounds.hi));
+        mesh->center = csg_box_middle(&soup->bounds);
         mesh->radius = 0.5 * csg_length(csg_sub(soup->bounds.hi, soup->bounds.lo));
     }
     fill_vertices(soup, mesh->center, vertices);
@@ -222,22 +222,17 @@ static void set_row(const struct csg_raster *raster, const char *name, struct cs
                           (float)(scale * csg_dot(v, from_eye) + shift));
 }
 
-static struct csg_vec3 from_array(const double v[3])
-{
-    return csg_vec3(v[0], v[1], v[2]);
-}
-
 static void set_camera(const struct csg_raster *raster, const struct csg_raster_mesh *mesh,
                        const struct csgcast_frustum *frustum)
 {
-    const struct csg_vec3 zero = {0, 0, 0}, forward = from_array(frustum->forward);
-    const struct csg_vec3 from_eye = csg_sub(mesh->center, from_array(frustum->eye));
+    const struct csg_vec3 zero = {0, 0, 0}, forward = csg_vec3_of(frustum->forward);
+    const struct csg_vec3 from_eye = csg_sub(mesh->center, csg_vec3_of(frustum->eye));
     const double middle = csg_dot(forward, from_eye), radius = 1.01 * mesh->radius;
     const double far = middle + radius;
     const double near =
         frustum->orthographic ? middle - radius : fmax(middle - radius, 1e-3 * mesh->radius);
-    set_row(raster, "row_x", from_array(frustum->right), from_eye, 1 / frustum->half_width, 0);
-    set_row(raster, "row_y", from_array(frustum->up), from_eye, 1 / frustum->half_height, 0);
+    set_row(raster, "row_x", csg_vec3_of(frustum->right), from_eye, 1 / frustum->half_width, 0);
+    set_row(raster, "row_y", csg_vec3_of(frustum->up), from_eye, 1 / frustum->half_height, 0);
     set_row(raster, "row_distance", forward, from_eye, 1, 0);
     if (frustum->orthographic) {
         set_row(raster, "row_w", zero, from_eye, 0, 1);

@@ -120,7 +120,7 @@ bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint3
                     combine(walk, drawing, node, &paths, &result);
     free(paths.list.data);
     csg_drawing_finish(&result);
-    return ok || csg_log_memory(&walk->builder->report->log);
+    return ok || csg_walk_no_memory(walk);
 }
 
 /* As OpenSCAD finds it (visit(OffsetNode) in its GeometryEvaluator.cc): to the last bit, which decides
@@ -158,7 +158,7 @@ bool csg_clip_offset(struct csg_walk *walk, struct csg_drawing *drawing, uint32_
     const bool ok = (num <= 1 || csg_clip_evaluate(walk, drawing, node)) &&
                     ((collect(drawing, node, &paths) && csg_drawing_add_figure(&result, 0) &&
                       move(walk, drawing, node, &paths, offset, &result, taken)) ||
-                     csg_log_memory(&walk->builder->report->log));
+                     csg_walk_no_memory(walk));
     free(paths.list.data);
     csg_drawing_finish(&result);
     return ok;

@@ -27,11 +27,6 @@ struct reader {
     CSG_ARRAY(struct frame) frames;
 };
 
-static bool no_memory(const struct reader *reader)
-{
-    return csg_log_memory(&reader->walk->builder->report->log);
-}
-
 /* OpenSCAD takes of each map on the way what acts in the plane. */
 static void flatten_space(struct csg_space *space)
 {
@@ -121,7 +116,7 @@ static bool open_node(struct reader *reader, uint32_t node)
         frame.space = own_space(&frame.space);
     return (csg_drawing_open(reader->drawing, op_of(meaning->role)) &&
             csg_array_push(&reader->frames, frame)) ||
-           no_memory(reader);
+           csg_walk_no_memory(reader->walk);
 }
 
 static bool is_mirrored(const struct csg_space *space)
@@ -153,7 +148,8 @@ static bool close_node(struct reader *reader)
     if (reader->clips && (reader->frames.num == 0 || !ops->flatten))
         return clip_node(reader, &frame);
     if (reader->frames.num == 0 || !ops->flatten)
-        return csg_drawing_intersect(reader->drawing, frame.draw) || no_memory(reader);
+        return csg_drawing_intersect(reader->drawing, frame.draw) ||
+               csg_walk_no_memory(reader->walk);
     struct csg_args args;
     return csg_walk_args(reader->walk, frame.node, ops->name, ops->parameters, &args) &&
            ops->flatten(reader->walk, frame.node, &args, reader->drawing, frame.draw) &&
@@ -211,7 +207,7 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
     if (meaning->role == CSG_ROLE_COMPOUND)
         csg_walk_unsupported(reader->walk, node, "%s in two dimensions is not supported yet",
                              ops ? ops->name : "this node");
-    return csg_drawing_open(reader->drawing, CSG_DRAW_UNION) || no_memory(reader);
+    return csg_drawing_open(reader->drawing, CSG_DRAW_UNION) || csg_walk_no_memory(reader->walk);
 }
 
 /* The union of the nodes from first to the end of node. */
@@ -225,7 +221,7 @@ static bool read_from(struct csg_walk *walk, uint32_t node, uint32_t first, bool
     struct frame root = {node, csg_walk_node(walk, node)->end, 0, csg_space_world, csg_space_world};
     root.space.in_boolean = in_boolean;
     bool ok = (csg_drawing_open(drawing, CSG_DRAW_UNION) && csg_array_push(&reader.frames, root)) ||
-              no_memory(&reader);
+              csg_walk_no_memory(reader.walk);
     for (uint32_t i = first; ok && i < root.end;) {
         while (ok && reader.frames.data[reader.frames.num - 1].end <= i)
             ok = close_node(&reader);

@@ -15,7 +15,7 @@ enum { max_segments = 65536 };
 static bool leave_empty(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t draw)
 {
     csg_drawing_cut(drawing, draw);
-    return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+    return csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
 }
 
 /* What is too large is left out, with a message. */
@@ -25,7 +25,7 @@ static bool finish(struct csg_walk *walk, uint32_t node, struct csg_drawing *dra
     if (result == CSG_SWEEP_DONE)
         return true;
     if (result == CSG_SWEEP_NO_MEMORY)
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     csg_walk_unsupported(walk, node, "%s: the drawing in it has too many corners",
                          csg_walk_ops(walk, node)->name);
     return leave_empty(walk, drawing, draw);

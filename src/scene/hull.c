@@ -34,8 +34,7 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
             all = is_cylinder(walk, i);
     if (all && walk->builder->facets != CSGCAST_FACETS_AS_WRITTEN) {
         ok = csg_part_read(walk, node + 1, end, in_boolean, CSG_WANT_EXACT, &inner) &&
-             (inner.has_flat || csg_disc_hull(part, &inner, taken) ||
-              csg_log_memory(&walk->builder->report->log));
+             (inner.has_flat || csg_disc_hull(part, &inner, taken) || csg_walk_no_memory(walk));
     }
     csg_part_finish(&inner);
     return ok;
@@ -49,7 +48,7 @@ static bool add_hull(struct csg_walk *walk, uint32_t node, bool in_boolean,
     if (!csg_sets_add_hull(walk, node, sets, points, part))
         return false;
     return in_boolean || walk->depth > 0 || part->shapes.num > num ||
-           csg_hull_film(sets, points, part) || csg_log_memory(&walk->builder->report->log);
+           csg_hull_film(sets, points, part) || csg_walk_no_memory(walk);
 }
 
 bool csg_compound_hull(struct csg_walk *walk, uint32_t node, const struct csg_args *args,

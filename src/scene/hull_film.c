@@ -42,7 +42,7 @@ static bool is_thin(const struct csg_points *points, const struct csg_plane *pla
     double size = 0, off = 0;
     for (size_t i = 0; i < points->points.num; i++) {
         const struct csg_vec3 p = points->points.data[i];
-        size = fmax(size, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        size = fmax(size, csg_vec3_largest(p));
         off = fmax(off, fabs(csg_dot(plane->normal, p) - plane->offset));
     }
     return off <= CSG_MESH_ON_PLANE * size;
@@ -82,7 +82,7 @@ static struct csg_vec3 lift(const struct csg_plane *plane, const struct axes *ax
     at[axes->up] = (plane->offset - csg_vec3_component(plane->normal, axes->x) * p.x -
                     csg_vec3_component(plane->normal, axes->y) * p.y) /
                    csg_vec3_component(plane->normal, axes->up);
-    return csg_vec3(at[0], at[1], at[2]);
+    return csg_vec3_of(at);
 }
 
 /* The one face of the hull. */

@@ -78,5 +78,5 @@ bool csg_import_read(struct csg_walk *walk, uint32_t node, const struct csg_args
     if (!is_out_of_memory && !*name)
         csg_walk_warning(walk, node, "%.160s: %s; nothing is drawn", path, strerror(errno));
     free(path);
-    return !is_out_of_memory || csg_log_memory(&walk->builder->report->log);
+    return !is_out_of_memory || csg_walk_no_memory(walk);
 }

@@ -28,11 +28,6 @@ struct source {
 /* Of one file; the others are only counted. */
 enum { max_warnings = 3 };
 
-static bool no_memory(const struct source *source)
-{
-    return csg_log_memory(&source->walk->builder->report->log);
-}
-
 static void warn(void *user, size_t line, const char *text)
 {
     struct source *source = user;
@@ -65,10 +60,10 @@ static bool add_dxf(struct source *source, struct csg_drawing *drawing)
     const uint32_t draw = (uint32_t)drawing->nodes.num;
     const size_t num_contours = drawing->contours.num;
     if (!csg_drawing_add_figure(drawing, 0))
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     const enum csg_dxf_result result = csg_dxf_read(&source->bytes, &params, &warnings, drawing);
     if (result == CSG_DXF_NO_MEMORY)
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     if (source->num_warnings > max_warnings)
         csg_walk_warning(source->walk, source->node, "%.80s: %zu more such places", source->name,
                          source->num_warnings - max_warnings);
@@ -140,7 +135,7 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
     const size_t num_contours = drawing->contours.num;
     enum csg_svg_result result = CSG_SVG_FOREIGN;
     if (!csg_drawing_open(drawing, CSG_DRAW_UNION))
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     if (!is_gzip(&source->bytes))
         result = csg_svg_read(&source->bytes, &params, drawing, &error);
     if (result == CSG_SVG_FOREIGN)
@@ -155,7 +150,8 @@ static bool add_svg(struct source *source, struct csg_drawing *drawing)
     else if (result == CSG_SVG_DONE && drawing->contours.num == num_contours)
         csg_walk_warning(source->walk, source->node, "%.80s: no shape in it; nothing is drawn",
                          source->name);
-    return result == CSG_SVG_NO_MEMORY ? no_memory(source) : unite(source, draw, drawing);
+    return result == CSG_SVG_NO_MEMORY ? csg_walk_no_memory(source->walk)
+                                       : unite(source, draw, drawing);
 }
 
 /* ---- the nodes ------------------------------------------------------------------------------ */
@@ -192,7 +188,7 @@ static bool read_file(struct csg_walk *walk, uint32_t node, const struct csg_arg
         csg_walk_unsupported(walk, node, "import: %.100s is of a kind that is not supported",
                              source.name);
     if (ok && drawing->nodes.num == draw)
-        ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || no_memory(&source);
+        ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(source.walk);
     free(source.bytes.data);
     return ok;
 }

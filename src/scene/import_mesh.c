@@ -22,11 +22,6 @@ struct source {
     struct csg_mesh_list list; /* what was read of it */
 };
 
-static bool no_memory(const struct source *source)
-{
-    return csg_log_memory(&source->walk->builder->report->log);
-}
-
 static void lacks(const struct source *source, const char *module, const char *packages)
 {
     csg_walk_unsupported(source->walk, source->node,
@@ -53,10 +48,10 @@ static bool read_plain(struct source *source,
     struct csg_mesh *mesh = csg_mesh_list_add(&source->list);
     size_t line;
     if (!mesh)
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     const enum csg_mesh_file result = read(&source->bytes, mesh, &line);
     if (result == CSG_MESH_FILE_NO_MEMORY)
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     if (result == CSG_MESH_FILE_FOREIGN)
         csg_walk_unsupported(source->walk, source->node,
                              "import: %.100s is of a kind that is not supported", source->name);
@@ -105,7 +100,7 @@ static bool read_amf(struct source *source)
                                                      : "nothing is drawn");
     else if (result == CSG_AMF_DONE)
         warn_if_empty(source);
-    return result != CSG_AMF_NO_MEMORY || no_memory(source);
+    return result != CSG_AMF_NO_MEMORY || csg_walk_no_memory(source->walk);
 }
 
 /* ---- 3MF ------------------------------------------------------------------------------------ */
@@ -122,7 +117,7 @@ static bool read_3mf(struct source *source)
                          error);
         return true;
     case CSG_3MF_FILE_NO_MEMORY:
-        return no_memory(source);
+        return csg_walk_no_memory(source->walk);
     default:
         warn_if_empty(source);
         return true;
@@ -154,7 +149,7 @@ bool csg_import_is_mesh(const char *name)
 static bool add_meshes(const struct source *source, struct csg_part *part)
 {
     const bool is_union = source->list.meshes.num > 1;
-    bool ok = !is_union || csg_part_open(part, false) || no_memory(source);
+    bool ok = !is_union || csg_part_open(part, false) || csg_walk_no_memory(source->walk);
     for (size_t i = 0; i < source->list.meshes.num && ok; i++) {
         struct csg_mesh *mesh = &source->list.meshes.data[i];
         ok = csg_polyhedron_clean(source->walk, source->node, false, mesh) &&

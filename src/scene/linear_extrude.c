@@ -102,7 +102,7 @@ static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion, bo
     if (csg_extrude(part, drawing, &lift, csg_walk_max_pieces(walk, in_boolean), &too_large))
         return true;
     part->is_too_large |= too_large;
-    return too_large || csg_log_memory(&walk->builder->report->log);
+    return too_large || csg_walk_no_memory(walk);
 }
 
 /* OpenSCAD's mesh, also of circles. */
@@ -124,9 +124,9 @@ static bool twist(struct csg_walk *walk, uint32_t node, const struct extrusion *
     if (result == CSG_SWEEP_DONE)
         result = csg_twist_fill(&mesh, drawing, &twist);
     part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
-    const bool ok = result == CSG_SWEEP_DONE ? csg_polyhedron_add(walk, node, true, &mesh, part)
-                                             : result == CSG_SWEEP_TOO_LARGE ||
-                                                   csg_log_memory(&walk->builder->report->log);
+    const bool ok = result == CSG_SWEEP_DONE
+                        ? csg_polyhedron_add(walk, node, true, &mesh, part)
+                        : result == CSG_SWEEP_TOO_LARGE || csg_walk_no_memory(walk);
     for (size_t i = 0; i < part->shapes.num; i++)
         part->shapes.data[i].facetted |= facetted;
     csg_mesh_finish(&mesh);

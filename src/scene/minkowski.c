@@ -140,7 +140,7 @@ static bool add_sets(struct csg_walk *walk, struct csg_sets *sum, const struct c
                     add_surfaces(sum, operand, &both) && add_surfaces(operand, sum, &both);
     csg_sets_finish(sum);
     *sum = both;
-    return ok || csg_log_memory(&walk->builder->report->log);
+    return ok || csg_walk_no_memory(walk);
 }
 
 /* Empty operands are left out, as in OpenSCAD. */
@@ -177,8 +177,7 @@ static bool add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets
     bool ok = true;
     for (size_t k = 0; k < num && ok; k++)
         ok = csg_array_push(&points.points, corners[k]);
-    ok = ok ? csg_sets_add_hull(walk, node, sum, &points, part)
-            : csg_log_memory(&walk->builder->report->log);
+    ok = ok ? csg_sets_add_hull(walk, node, sum, &points, part) : csg_walk_no_memory(walk);
     free(points.points.data);
     return ok;
 }
@@ -186,11 +185,10 @@ static bool add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets
 static bool add_sum_to_part(struct csg_walk *walk, uint32_t node, struct csg_sets *sum,
                             struct csg_part *part)
 {
-    bool ok = csg_part_open(part, false) || csg_log_memory(&walk->builder->report->log);
+    bool ok = csg_part_open(part, false) || csg_walk_no_memory(walk);
     for (size_t i = sum->surfaces.num; i > 0 && ok; i--) {
         sum->surfaces.num--;
-        ok = csg_part_add(part, &sum->surfaces.data[i - 1], false) ||
-             csg_log_memory(&walk->builder->report->log);
+        ok = csg_part_add(part, &sum->surfaces.data[i - 1], false) || csg_walk_no_memory(walk);
     }
     for (size_t i = 0; i < sum->convex.ends.num && ok && !part->is_too_large; i++)
         ok = add_hull(walk, node, sum, i, part);

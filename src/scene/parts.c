@@ -28,11 +28,6 @@ static struct frame *top_of(struct reader *reader)
     return &reader->frames.data[reader->frames.num - 1];
 }
 
-static bool no_memory(const struct reader *reader)
-{
-    return csg_log_memory(&reader->walk->builder->report->log);
-}
-
 /* Whether the next operand of the innermost open node is complemented; counts it. */
 static bool take_operand(struct reader *reader)
 {
@@ -45,7 +40,7 @@ static bool take_operand(struct reader *reader)
 static bool add_empty(struct reader *reader, bool negated)
 {
     if (!csg_part_open(reader->part, negated))
-        return no_memory(reader);
+        return csg_walk_no_memory(reader->walk);
     csg_part_close(reader->part);
     return true;
 }
@@ -123,13 +118,13 @@ static bool open_frame(struct reader *reader, uint32_t node)
     const bool is_union = frame.role == CSG_ROLE_UNION;
     return (csg_part_open(reader->part, is_union == negated) &&
             csg_array_push(&reader->frames, frame)) ||
-           no_memory(reader);
+           csg_walk_no_memory(reader->walk);
 }
 
 static bool add_part(struct reader *reader, struct csg_part *part, bool negated)
 {
     if (part->tree.num > 0 && place(reader, part))
-        return csg_part_append(reader->part, part, negated) || no_memory(reader);
+        return csg_part_append(reader->part, part, negated) || csg_walk_no_memory(reader->walk);
     csg_part_finish(part);
     return add_empty(reader, negated);
 }
@@ -139,13 +134,13 @@ static bool add_solid(struct reader *reader, struct csg_shape *shape, bool negat
     const struct csg_space *space = &top_of(reader)->space;
     struct csg_part part = {0};
     if (!is_singular(space) && csg_space_place(space, shape))
-        return csg_part_add(reader->part, shape, negated) || no_memory(reader);
+        return csg_part_add(reader->part, shape, negated) || csg_walk_no_memory(reader->walk);
     if (csg_part_open(&part, false) && csg_part_add(&part, shape, false)) {
         csg_part_close(&part);
         return add_part(reader, &part, negated);
     }
     csg_part_finish(&part);
-    return no_memory(reader);
+    return csg_walk_no_memory(reader->walk);
 }
 
 static bool read_solid(struct reader *reader, uint32_t node)
@@ -195,7 +190,7 @@ static bool read_compound(struct reader *reader, uint32_t node)
     if (++walk->depth % CSG_PARTS_LEVELS_A_STACK != 0)
         read_inner(&inner, 0);
     else if (!csg_call_on_new_stack(read_inner, &inner))
-        no_memory(reader);
+        csg_walk_no_memory(reader->walk);
     walk->depth--;
     walk->points_only = points_only;
     if (inner.ok)
@@ -250,7 +245,7 @@ bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_
     walk->points_only = wanted == CSG_WANT_POINTS;
     const bool ok = csg_part_open(part, false) && csg_array_push(&reader.frames, root)
                         ? read_nodes(&reader, begin, end)
-                        : no_memory(&reader);
+                        : csg_walk_no_memory(reader.walk);
     walk->points_only = outer_points_only;
     walk->builder->facets = facets;
     free(reader.frames.data);

@@ -47,7 +47,7 @@ static bool read_points(const struct csg_args *args, struct csg_mesh *mesh)
             return true;
         }
         mesh->rounding = fmax(mesh->rounding, rounding);
-        ok = csg_mesh_add_point(mesh, csg_vec3(p[0], p[1], p[2]));
+        ok = csg_mesh_add_point(mesh, csg_vec3_of(p));
     }
     return ok;
 }
@@ -112,7 +112,7 @@ bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
         return false;
     if ((is_bent && !keeps_dents && !is_summed_hull(mesh, &space, &is_hull)) ||
         !csg_mesh_clean(mesh, &space))
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     mesh->is_hull = is_hull;
     mesh->keeps_dents = keeps_dents;
     return true;
@@ -163,14 +163,14 @@ static bool find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mes
     bool shallow, there;
     *is_hull = false;
     if (!csg_mesh_find_dents(mesh, &csg_map_identity, MAPPED_DEGREES, &shallow, &there))
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     if (!shallow || !there)
         return true;
     walk->was_placed = true;
     if (!csg_cut_space_find(walk, node, &space))
         return false;
     if (space.on_grid && !csg_mesh_find_dents(mesh, &space.map, SHALLOW_DEGREES, &shallow, &there))
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     *is_hull = space.on_grid && shallow && there;
     return true;
 }
@@ -190,9 +190,9 @@ static bool add_hull(struct csg_walk *walk, const struct csg_mesh *mesh, struct 
     free(points.points.data);
     *is_there = result == CSG_HULL_DONE;
     if (*is_there)
-        return csg_part_add(part, &shape, false) || csg_log_memory(&walk->builder->report->log);
+        return csg_part_add(part, &shape, false) || csg_walk_no_memory(walk);
     csg_shape_finish(&shape);
-    return result != CSG_HULL_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+    return result != CSG_HULL_NO_MEMORY || csg_walk_no_memory(walk);
 }
 
 /* ---- solids ------------------------------------------------------------------------------- */
@@ -235,11 +235,11 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
     struct csg_mesh_gaps gaps;
     bool is_hull = mesh->is_hull;
     if (walk->points_only)
-        return add_points(mesh, part) || csg_log_memory(&walk->builder->report->log);
+        return add_points(mesh, part) || csg_walk_no_memory(walk);
     if (mesh->faces.num == 0)
         return true;
     if (!csg_mesh_orient(mesh, &gaps))
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     if (gaps.num)
         warn_of_gaps(walk, node, mesh, &gaps);
     if (mesh->num_guessed)
@@ -250,7 +250,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
         return is_hull;
     const bool has_films = !in_boolean && walk->depth == 0;
     return (has_films ? add_all(walk, mesh, &gaps, part) : add_solid(walk, mesh, &gaps, part)) ||
-           csg_log_memory(&walk->builder->report->log);
+           csg_walk_no_memory(walk);
 }
 
 bool csg_compound_polyhedron(struct csg_walk *walk, uint32_t node, const struct csg_args *args,

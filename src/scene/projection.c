@@ -176,7 +176,7 @@ static bool project(struct projection *projection, uint32_t node, struct csg_par
     if (result == CSG_HULL_DONE)
         ok = add_sets(projection, &sets.convex) && add_surfaces(projection, &sets);
     else if (result == CSG_HULL_NO_MEMORY)
-        ok = csg_log_memory(&walk->builder->report->log);
+        ok = csg_walk_no_memory(walk);
     else
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
     if (projection->cut && !projection->has_area && sets.convex.ends.num > 0)
@@ -196,7 +196,7 @@ static bool unite(const struct projection *projection, uint32_t node, uint32_t d
     const enum csg_sweep_result result = csg_drawing_evaluate(projection->drawing, draw);
     if (result == CSG_SWEEP_TOO_LARGE && !as_written)
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
-    return result != CSG_SWEEP_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+    return result != CSG_SWEEP_NO_MEMORY || csg_walk_no_memory(walk);
 }
 
 bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -207,8 +207,7 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
     const uint32_t end = csg_walk_node(walk, node)->end, draw = (uint32_t)drawing->nodes.num;
     struct csg_part part = {0};
     struct csg_map inverse;
-    bool ok =
-        csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+    bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
     if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
         ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_FACETS, &part) &&
              project(&projection, node, &part);

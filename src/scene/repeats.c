@@ -208,17 +208,16 @@ static bool read_or_copy(struct csg_walk *walk, uint32_t node, const struct csg_
     struct entry *entry = find_or_add(repeats, hash, &ok);
     if (ok && entry && entry->is_kept && entry->key.num == key->num &&
         memcmp(entry->key.data, key->data, key->num) == 0)
-        return copy_part(part, &entry->part) || csg_log_memory(&walk->builder->report->log);
+        return copy_part(part, &entry->part) || csg_walk_no_memory(walk);
     if (!ok)
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     const size_t place = entry ? (size_t)(entry - repeats->entries.data) : 0;
     if (!read_and_judge(walk, node, ops, in_boolean, part, &is_everywhere))
         return false;
     if (!entry || !is_everywhere)
         return true;
     entry = &repeats->entries.data[place]; /* what is in the node may have added others */
-    return entry->is_kept || keep(repeats, entry, key, part) ||
-           csg_log_memory(&walk->builder->report->log);
+    return entry->is_kept || keep(repeats, entry, key, part) || csg_walk_no_memory(walk);
 }
 
 /* Faces that are not plane are cut in a space outside of the resize() that they are in
@@ -239,7 +238,7 @@ bool csg_repeats_read(struct csg_walk *walk, uint32_t node, const struct csg_nod
         return read_compound(walk, node, ops, in_boolean, part);
     const bool ok = fill_key(walk, node, in_boolean, &key)
                         ? read_or_copy(walk, node, ops, in_boolean, &key, part)
-                        : csg_log_memory(&walk->builder->report->log);
+                        : csg_walk_no_memory(walk);
     free(key.data);
     return ok;
 }

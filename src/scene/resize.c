@@ -49,7 +49,7 @@ static bool find_size(struct csg_walk *walk, uint32_t node, bool in_boolean,
     size[2] = box.hi.z - box.lo.z;
     *is_there = ok && result == CSG_HULL_DONE && size[0] > 0 && size[1] > 0 && size[2] > 0;
     if (ok && result == CSG_HULL_NO_MEMORY)
-        ok = csg_log_memory(&walk->builder->report->log);
+        ok = csg_walk_no_memory(walk);
     else if (ok && result != CSG_HULL_DONE)
         csg_walk_unsupported(walk, node, "resize: the size of what is in it is hard to find");
     csg_clusters_finish(&clusters);

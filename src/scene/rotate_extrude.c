@@ -90,9 +90,9 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
                                 : profile->sweep.spans.num >= MIN_SURFACE_SPANS;
     if (revolution->turn.facetted && walk->depth == 0 && is_surface &&
         !add_surface(drawing, &revolution->turn, profile, rounding, part, &taken))
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     return taken || csg_revolve(part, profile, &revolution->turn, rounding) ||
-           csg_log_memory(&walk->builder->report->log);
+           csg_walk_no_memory(walk);
 }
 
 bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -115,7 +115,7 @@ bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const str
         if (result == CSG_SWEEP_DONE)
             ok = revolve(walk, node, &revolution, &drawing, &profile, rounding, in_boolean, part);
         else
-            ok = result == CSG_SWEEP_TOO_LARGE || csg_log_memory(&walk->builder->report->log);
+            ok = result == CSG_SWEEP_TOO_LARGE || csg_walk_no_memory(walk);
     }
     csg_profile_finish(&profile);
     csg_drawing_finish(&drawing);

@@ -107,7 +107,7 @@ static enum csg_hull_result collect(const struct csg_part *part, struct balls *b
 static bool finish(struct csg_walk *walk, enum csg_hull_result result, bool *taken)
 {
     *taken = *taken && result == CSG_HULL_DONE;
-    return result != CSG_HULL_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+    return result != CSG_HULL_NO_MEMORY || csg_walk_no_memory(walk);
 }
 
 bool csg_rounded_hull(struct csg_walk *walk, uint32_t node, bool in_boolean, struct csg_part *part,
@@ -251,7 +251,7 @@ bool csg_rounded_sum(struct csg_walk *walk, uint32_t node, bool in_boolean, stru
                            CSG_WANT_EXACT, &parts[i]);
     ok = ok && finish(walk, add_sum(&parts[0], &parts[1], &sum, taken), taken);
     if (ok && *taken)
-        ok = csg_part_append(part, &sum, false) || csg_log_memory(&walk->builder->report->log);
+        ok = csg_part_append(part, &sum, false) || csg_walk_no_memory(walk);
     csg_part_finish(&sum);
     csg_part_finish(&parts[0]);
     csg_part_finish(&parts[1]);

@@ -28,7 +28,7 @@ static bool report(struct csg_walk *walk, uint32_t node, enum csg_hull_result re
 {
     const char *name = csg_walk_ops(walk, node)->name;
     if (result == CSG_HULL_NO_MEMORY)
-        return csg_log_memory(&walk->builder->report->log);
+        return csg_walk_no_memory(walk);
     if (result == CSG_HULL_MISSING)
         csg_walk_unsupported(walk, node,
                              "%s needs the Qhull library, which csgcast was built "
@@ -90,7 +90,7 @@ bool csg_sets_add_hull(struct csg_walk *walk, uint32_t node, const struct csg_se
     shape.rounding = sets->rounding;
     shape.facetted = sets->facetted;
     if (result == CSG_HULL_DONE)
-        return csg_part_add(part, &shape, false) || csg_log_memory(&walk->builder->report->log);
+        return csg_part_add(part, &shape, false) || csg_walk_no_memory(walk);
     csg_shape_finish(&shape);
     return result == CSG_HULL_FLAT || report(walk, node, result);
 }

@@ -17,7 +17,7 @@ bool csg_compound_slab(struct csg_walk *walk, uint32_t node, const struct csg_ar
     bool ok = csg_drawing_read_node(walk, node, in_boolean, &drawing);
     if (ok &&
         !csg_extrude(part, &drawing, &lift, csg_walk_max_pieces(walk, in_boolean), &too_large))
-        ok = too_large || csg_log_memory(&walk->builder->report->log);
+        ok = too_large || csg_walk_no_memory(walk);
     part->is_too_large |= too_large;
     for (size_t i = 0; i < part->shapes.num; i++)
         part->shapes.data[i].written.lo.z = part->shapes.data[i].written.hi.z = 0;

@@ -167,7 +167,7 @@ static bool add_heights(struct csg_walk *walk, uint32_t node, const struct csg_h
     }
     relief.x = center ? -((double)relief.columns - 1) / 2 : 0;
     relief.y = center ? -((double)relief.rows - 1) / 2 : 0;
-    const bool ok = (add_relief(&relief) || csg_log_memory(&walk->builder->report->log)) &&
+    const bool ok = (add_relief(&relief) || csg_walk_no_memory(walk)) &&
                     csg_polyhedron_add(walk, node, true, &mesh, part);
     csg_mesh_finish(&mesh);
     return ok;
@@ -181,7 +181,7 @@ static bool read_image(struct csg_walk *walk, uint32_t node, const char *name,
         csg_walk_unsupported(walk, node, "surface: it has more than %d heights", CSG_HEIGHTS_MAX);
     else if (result == CSG_HEIGHTS_BROKEN)
         csg_walk_warning(walk, node, "%.160s: malformed; nothing is drawn", name);
-    return result != CSG_HEIGHTS_NO_MEMORY || csg_log_memory(&walk->builder->report->log);
+    return result != CSG_HEIGHTS_NO_MEMORY || csg_walk_no_memory(walk);
 }
 
 static bool read_text(struct csg_walk *walk, uint32_t node, const char *name,
@@ -194,7 +194,7 @@ static bool read_text(struct csg_walk *walk, uint32_t node, const char *name,
     else if (ok && (heights->rows.num < 2 || heights->columns < 2))
         csg_walk_warning(walk, node, "%.160s: less than two rows or columns; nothing is drawn",
                          name);
-    return ok || csg_log_memory(&walk->builder->report->log);
+    return ok || csg_walk_no_memory(walk);
 }
 
 bool csg_compound_surface(struct csg_walk *walk, uint32_t node, const struct csg_args *args,

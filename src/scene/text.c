@@ -262,8 +262,7 @@ static bool add_text(struct csg_walk *walk, uint32_t node, const struct csg_text
                          "no font for '%.60s'; nothing is drawn (Debian: "
                          "fonts-liberation)",
                          text->font);
-    return (result != CSG_TEXT_ENDED && end_glyph(glyph)) ||
-           csg_log_memory(&walk->builder->report->log);
+    return (result != CSG_TEXT_ENDED && end_glyph(glyph)) || csg_walk_no_memory(walk);
 }
 
 bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
@@ -274,8 +273,7 @@ bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args
     const uint32_t draw = (uint32_t)drawing->nodes.num;
     struct csg_map inverse;
     double rounding = 0;
-    bool ok =
-        csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_log_memory(&walk->builder->report->log);
+    bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
     const struct csg_text text = read_text(args, &rounding);
     const bool is_there = isfinite(text.size) && text.size != 0 && isfinite(text.spacing) &&
                           text.text[0] && !space->is_empty && csg_map_invert(&space->map, &inverse);

@@ -58,11 +58,6 @@ static bool compose(const struct csg_args *args, struct csg_space *space,
     return true;
 }
 
-static struct csg_vec3 vector_of(const double numbers[3])
-{
-    return csg_vec3(numbers[0], numbers[1], numbers[2]);
-}
-
 static const struct written_map identity = {
     .map = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
 };
@@ -158,7 +153,7 @@ bool csg_enter_mirror(const struct csg_args *args, struct csg_space *space)
     struct written_map written = identity;
     if (v && !read_vector(args, v, 0, numbers, rounding))
         return false;
-    const struct csg_vec3 unit = csg_normalize(vector_of(numbers));
+    const struct csg_vec3 unit = csg_normalize(csg_vec3_of(numbers));
     const double n[3] = {unit.x, unit.y, unit.z};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -210,7 +205,7 @@ bool csg_enter_rotate(const struct csg_args *args, struct csg_space *space)
     } else {
         if (v && !read_vector(args, v, 0, axis, rounding))
             return false;
-        const struct csg_vec3 unit = csg_normalize(vector_of(axis));
+        const struct csg_vec3 unit = csg_normalize(csg_vec3_of(axis));
         if (csg_length(unit) > 0)
             written.map = rotation_about(unit, a->number);
     }

@@ -94,17 +94,12 @@ void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, 
     free(large);
 }
 
-static bool is_finite_vector(struct csg_vec3 v)
-{
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
 /* Maps near the limits of double take a shape beyond them. */
 static bool is_finite_shape(const struct csg_shape *shape)
 {
     bool finite = !shape->surface || csg_surface_is_finite(shape->surface, &shape->frame);
     for (size_t i = 0; i < shape->num_planes; i++)
-        finite &= is_finite_vector(shape->planes[i].normal) && isfinite(shape->planes[i].offset);
+        finite &= csg_vec3_is_finite(shape->planes[i].normal) && isfinite(shape->planes[i].offset);
     for (int i = 0; shape->has_quadric && i < 3; i++)
         for (int j = 0; j < 4; j++)
             finite &= isfinite(shape->quadric.to_canon.m[i][j]) != 0;

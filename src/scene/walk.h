@@ -32,6 +32,12 @@ static inline const struct csg_parsed_node *csg_walk_node(const struct csg_walk 
 /* The row of a node's name in the table of nodes; NULL when there is none. */
 const struct csg_node_ops *csg_walk_ops(const struct csg_walk *walk, uint32_t node);
 
+/* false, with the message. */
+static inline bool csg_walk_no_memory(const struct csg_walk *walk)
+{
+    return csg_log_memory(&walk->builder->report->log);
+}
+
 /* The arguments of a node, valid until the next call. false, with a message, when memory is out. */
 bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const char *parameters,
                    struct csg_args *args);

@@ -14,7 +14,7 @@ static int curved_rows(const struct csg_quadric *quadric, struct csg_vec3 rows[3
     for (int i = 0; i < 3; i++) {
         const double *row = quadric->to_canon.m[i];
         if (quadric->diag[i] != 0 || (i == 2 && quadric->linear != 0))
-            rows[num++] = csg_vec3(row[0], row[1], row[2]);
+            rows[num++] = csg_vec3_of(row);
     }
     return num;
 }

@@ -16,8 +16,7 @@
 static double box_difference(const struct csg_box *a, const struct csg_box *b)
 {
     const struct csg_vec3 lo = csg_sub(a->lo, b->lo), hi = csg_sub(a->hi, b->hi);
-    return fmax(fmax(fabs(lo.x), fmax(fabs(lo.y), fabs(lo.z))),
-                fmax(fabs(hi.x), fmax(fabs(hi.y), fabs(hi.z))));
+    return fmax(csg_vec3_largest(lo), csg_vec3_largest(hi));
 }
 
 /* Largest distance of b's surface from the carrier, to first order, by samples. */

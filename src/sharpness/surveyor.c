@@ -42,8 +42,7 @@ static void box_edges(const struct csg_shape *shape, struct csg_vec3 edges[3])
                             shape->bounds.hi.y - shape->bounds.lo.y,
                             shape->bounds.hi.z - shape->bounds.lo.z};
     for (int i = 0; i < 3; i++) {
-        const struct csg_vec3 axis =
-            csg_vec3(shape->frame.m[0][i], shape->frame.m[1][i], shape->frame.m[2][i]);
+        const struct csg_vec3 axis = csg_map_column(&shape->frame, i);
         edges[i] = csg_scale(isfinite(size[i]) ? size[i] : 1e30, axis);
     }
 }
@@ -156,8 +155,7 @@ static struct csg_ball ball_of(const struct csg_object *object, const struct csg
     const struct csg_box *box = &object->box;
     if (!csg_box_is_finite(box) || csg_box_is_empty(box))
         return (struct csg_ball){csg_vec3(0, 0, 0), radius_of_planes(&surveyor->planes)};
-    return (struct csg_ball){csg_scale(0.5, csg_add(box->lo, box->hi)),
-                             0.5 * csg_length(csg_sub(box->hi, box->lo))};
+    return (struct csg_ball){csg_box_middle(box), 0.5 * csg_length(csg_sub(box->hi, box->lo))};
 }
 
 /* An object is looked at in so many runs, side by side. Smaller ones are through before a thread

@@ -21,7 +21,7 @@ static bool invert_canonical(const struct csg_map *to_canon, struct csg_map *inv
     double length[3];
     for (int i = 0; i < 3; i++) {
         const double *row = to_canon->m[i];
-        length[i] = csg_length(csg_vec3(row[0], row[1], row[2]));
+        length[i] = csg_length(csg_vec3_of(row));
         for (int j = 0; j < 4; j++)
             even.m[i][j] /= length[i];
     }
@@ -89,7 +89,7 @@ static bool is_within_planes(const struct csg_shape *shape, struct csg_vec3 p)
     for (size_t i = 0; i < shape->num_planes; i++)
         if (!(csg_dot(shape->planes[i].normal, p) <= shape->planes[i].offset))
             return false;
-    return isfinite(p.x) && isfinite(p.y) && isfinite(p.z);
+    return csg_vec3_is_finite(p);
 }
 
 size_t csg_shape_sample(const struct csg_shape *shape, struct csg_vec3 *points, size_t max)

@@ -47,7 +47,7 @@ bool csg_shape_copy(struct csg_shape *copy, const struct csg_shape *shape)
 void csg_plane_map(struct csg_plane *plane, const struct csg_map *inverse)
 {
     const struct csg_vec3 normal = csg_map_transposed(inverse, plane->normal);
-    const struct csg_vec3 shift = csg_vec3(inverse->m[0][3], inverse->m[1][3], inverse->m[2][3]);
+    const struct csg_vec3 shift = csg_map_column(inverse, 3);
     const double length = csg_length(normal);
     *plane = (struct csg_plane){csg_scale(1 / length, normal),
                                 (plane->offset - csg_dot(plane->normal, shift)) / length};
@@ -106,7 +106,7 @@ bool csg_shape_add_plane(struct csg_shape *shape, struct csg_vec3 normal, double
 {
     if (!make_room(shape))
         return false;
-    const double size = fmax(fabs(normal.x), fmax(fabs(normal.y), fabs(normal.z)));
+    const double size = csg_vec3_largest(normal);
     const struct csg_vec3 n = csg_vec3(normal.x / size, normal.y / size, normal.z / size);
     const double length = csg_length(n);
     shape->planes[shape->num_planes++] = (struct csg_plane){

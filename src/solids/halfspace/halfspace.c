@@ -49,7 +49,7 @@ static enum csg_read_result read(const struct csg_args *args, struct csg_shape *
     if (csg_args_find(args, "offset") && csg_args_find(args, "point"))
         return csg_args_error(args, "offset and point exclude each other"), CSG_READ_ERROR;
     const struct csg_vec3 unit = csg_normalize(csg_vec3(n[0] / size, n[1] / size, n[2] / size));
-    const double along = csg_dot(unit, csg_vec3(point[0], point[1], point[2]));
+    const double along = csg_dot(unit, csg_vec3_of(point));
     shape->rounding += turn / size * fabs(offset + along);
     if (!csg_halfspace_fill(shape, unit, offset + along))
         return csg_log_memory(args->log), CSG_READ_ERROR;

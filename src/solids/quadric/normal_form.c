@@ -20,7 +20,7 @@ struct csg_vec3 csg_form_gradient(const struct csg_form *form, struct csg_vec3 p
         const double *q = form->q[i];
         g[i] = 2 * (q[0] * p.x + q[1] * p.y + q[2] * p.z + q[3]);
     }
-    return csg_vec3(g[0], g[1], g[2]);
+    return csg_vec3_of(g);
 }
 
 void csg_form_normalise(struct csg_form *form)

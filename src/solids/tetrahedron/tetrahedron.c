@@ -17,7 +17,7 @@ static bool read_points(const struct csg_args *args, struct csg_vec3 points[4], 
         ok = csg_value_numbers(&value->items[i], 3, p, &own_rounding) && isfinite(p[0]) &&
              isfinite(p[1]) && isfinite(p[2]);
         if (ok)
-            points[i] = csg_vec3(p[0], p[1], p[2]);
+            points[i] = csg_vec3_of(p);
         *rounding = fmax(*rounding, own_rounding);
     }
     if (!ok)
