@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/gather.h"
+#include "csg/wholes.h"
 #include "mesh/surface.h"
 
 const struct csg_leaf *csg_object_minuend(const struct csgcast_scene *scene,

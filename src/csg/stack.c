@@ -4,6 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool csg_stack_may_have(const struct csg_shape *shape)
+{
+    return (shape->radii[0] > 0 || shape->radii[1] > 0) && shape->num_planes == 2;
+}
+
 struct finder {
     const struct csgcast_scene *scene;
     const struct csg_node *nodes; /* of the object */
@@ -28,8 +33,7 @@ static bool is_frustum(const struct finder *finder, uint32_t i, bool negated)
     const struct csg_node *node = &finder->nodes[i];
     if (node->op != CSG_LEAF || node->spare || node->negated != negated)
         return false;
-    const struct csg_shape *shape = shape_of(finder, node->leaf);
-    return (shape->radii[0] > 0 || shape->radii[1] > 0) && shape->num_planes == 2;
+    return csg_stack_may_have(shape_of(finder, node->leaf));
 }
 
 static bool is_same_turn(const struct finder *finder, uint32_t a, uint32_t b)

@@ -32,6 +32,9 @@ struct csg_stacks {
                            * of leaves and its place in list; empty where there is no stack */
 };
 
+/* Whether it is a frustum of a ring. */
+bool csg_stack_may_have(const struct csg_shape *shape);
+
 /* How many leaves a tree with stacks can have. */
 static inline size_t csg_stacks_room(size_t num_leaves)
 {

@@ -18,6 +18,14 @@ const struct csg_whole *csg_find_whole(const struct csgcast_scene *scene, uint32
                    compare_wholes);
 }
 
+bool csg_is_same_node(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
+{
+    const struct csg_leaf *x = &scene->leaves[a], *y = &scene->leaves[b];
+    const struct csg_whole *whole = csg_find_whole(scene, a);
+    return (x->line == y->line && x->column == y->column) ||
+           (whole && b >= whole->begin && b < whole->end);
+}
+
 static int compare_begins(const void *a, const void *b)
 {
     const struct csg_whole *one = a, *other = b;

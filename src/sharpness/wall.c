@@ -3,8 +3,14 @@
 
 #include <stdlib.h>
 
-/* Larger profiles are measured as rings: time grows with the square. */
-#define MAX_RINGS 1500
+#include "sharpness/curvature.h"
+
+/* What pack/precision.h asks for in float, about, as shares of what is seen. */
+#define FINE_HEIGHT 1e-5
+#define FINE_CURVATURE 1e-4
+
+/* Walls are looked for up to this share of the profile: float holds them in any view. */
+#define MAX_WALL 1e-2
 
 /* Places on each side from which it is measured, and the shortest distance that is not rounding, as
  * a share of the profile. */
@@ -20,7 +26,7 @@ struct wall {
     const struct csgcast_scene *scene;
     const struct csg_ring *rings;
     uint32_t num;
-    CSG_ARRAY(struct side) sides;
+    CSG_ARRAY(struct side) sides; /* by their lower ends, once all are there */
 };
 
 /* Where a ring begins or ends. */
@@ -120,38 +126,60 @@ static struct place place_on(const struct side *side, int i)
     return (struct place){side->r[0] + t * dr, side->z[0] + t * dz, dr / length, dz / length};
 }
 
-/* The least distance, above noise, from a place to another side, straight across, both ways. */
-static double distance_from(const struct wall *wall, const struct place *place, size_t own,
-                            double noise)
+/* The distance, above noise, from a place to a side, straight across, either way. */
+static double distance_to(const struct side *side, const struct place *place, double noise)
 {
-    double least = INFINITY;
-    for (size_t i = 0; i < wall->sides.num; i++) {
-        const struct side *side = &wall->sides.data[i];
-        const double r0 = side->r[0] - place->r, z0 = side->z[0] - place->z;
-        const double r1 = side->r[1] - place->r, z1 = side->z[1] - place->z;
-        const double a = r0 * place->dr + z0 * place->dz, b = r1 * place->dr + z1 * place->dz;
-        if ((a > 0) == (b > 0) || i == own)
-            continue;
-        const double at = a / (a - b);
-        const double r = r0 + at * (r1 - r0), z = z0 + at * (z1 - z0);
-        const double d = fabs(r * place->dz - z * place->dr);
-        least = d > noise && d < least ? d : least;
-    }
+    const double r0 = side->r[0] - place->r, z0 = side->z[0] - place->z;
+    const double r1 = side->r[1] - place->r, z1 = side->z[1] - place->z;
+    const double a = r0 * place->dr + z0 * place->dz, b = r1 * place->dr + z1 * place->dz;
+    if ((a > 0) == (b > 0))
+        return INFINITY;
+    const double at = a / (a - b);
+    const double r = r0 + at * (r1 - r0), z = z0 + at * (z1 - z0);
+    const double d = fabs(r * place->dz - z * place->dr);
+    return d > noise ? d : INFINITY;
+}
+
+static int compare_sides(const void *a, const void *b)
+{
+    const struct side *x = a, *y = b;
+    return x->z[0] < y->z[0] ? -1 : x->z[0] > y->z[0];
+}
+
+/* The least distance from a place on a side to others, if less than that. Only sides that are no
+ * further up or down are asked; tops: the highest end of each side and those before it. */
+static double least_from(const struct wall *wall, const double *tops, size_t own,
+                         const struct place *place, double noise, double least)
+{
+    const struct side *sides = wall->sides.data;
+    for (size_t i = own + 1; i < wall->sides.num && sides[i].z[0] <= place->z + least; i++)
+        least = fmin(least, distance_to(&sides[i], place, noise));
+    for (size_t i = own; i-- > 0 && tops[i] >= place->z - least;)
+        least = fmin(least, distance_to(&sides[i], place, noise));
     return least;
 }
 
-static double least_distance(const struct wall *wall)
+/* No more than the largest that is looked for. false: out of memory. */
+static bool find_least(struct wall *wall, double *least)
 {
-    const struct side *sides = wall->sides.data;
-    double least = INFINITY, size = 0;
-    for (size_t i = 0; i < wall->sides.num; i++)
+    struct side *sides = wall->sides.data;
+    const size_t num = wall->sides.num;
+    double *tops = malloc((num + 1) * sizeof *tops), size = 0;
+    if (!tops)
+        return false;
+    qsort(sides, num, sizeof *sides, compare_sides);
+    for (size_t i = 0; i < num; i++) {
         size = fmax(size, fmax(fmax(sides[i].r[0], sides[i].r[1]), fabs(sides[i].z[0])));
-    for (size_t i = 0; i < wall->sides.num; i++)
+        tops[i] = i ? fmax(tops[i - 1], sides[i].z[1]) : sides[i].z[1];
+    }
+    *least = MAX_WALL * size;
+    for (size_t i = 0; i < num; i++)
         for (int j = 0; j < NUM_PLACES; j++) {
             const struct place place = place_on(&sides[i], j);
-            least = fmin(least, distance_from(wall, &place, i, NOISE * size));
+            *least = least_from(wall, tops, i, &place, NOISE * size, *least);
         }
-    return least;
+    free(tops);
+    return true;
 }
 
 double csg_wall_curvature(const struct csg_shape *shape)
@@ -165,6 +193,18 @@ double csg_wall_curvature(const struct csg_shape *shape)
                : INFINITY;
 }
 
+bool csg_wall_is_fine(const struct csg_leaf *leaf, double size)
+{
+    const struct csg_box *box = &leaf->box, *bounds = &leaf->shape.bounds;
+    struct csg_map inverse;
+    if (!csg_map_invert(&leaf->shape.frame, &inverse))
+        return false;
+    const double height = (bounds->hi.z - bounds->lo.z) / csg_map_stretch(&inverse);
+    const double own = csg_length(csg_sub(box->hi, box->lo));
+    return height < FINE_HEIGHT * size ||
+           csg_curvature(&leaf->shape.quadric, own) < FINE_CURVATURE * size;
+}
+
 bool csg_wall_measure(const struct csgcast_scene *scene, const struct csg_stacks *stacks,
                       const struct csg_stack *stack, uint8_t *marks, double *least)
 {
@@ -172,12 +212,10 @@ bool csg_wall_measure(const struct csgcast_scene *scene, const struct csg_stacks
         .scene = scene, .rings = stacks->rings.data + stack->first_ring, .num = stack->num_rings};
     struct csg_map inverse;
     *least = INFINITY;
-    if (stack->num_rings > MAX_RINGS ||
-        !csg_map_invert(&scene->leaves[wall.rings[0].outer].shape.frame, &inverse))
+    if (!csg_map_invert(&scene->leaves[wall.rings[0].outer].shape.frame, &inverse))
         return true;
-    const bool ok = add_sides(&wall, marks) && pair_ends(&wall, marks);
-    if (ok)
-        *least = least_distance(&wall) / csg_map_stretch(&inverse);
+    const bool ok = add_sides(&wall, marks) && pair_ends(&wall, marks) && find_least(&wall, least);
+    *least /= csg_map_stretch(&inverse);
     free(wall.sides.data);
     return ok;
 }

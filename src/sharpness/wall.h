@@ -18,9 +18,12 @@ enum {
 };
 
 /* Marks the leaves of a stack, by leaf, and finds the least distance across the profile, solid or
- * not; infinite where it is not known to be less. false: out of memory. */
+ * not, up to a hundredth of its size; infinite where there is no volume. false: out of memory. */
 bool csg_wall_measure(const struct csgcast_scene *scene, const struct csg_stacks *stacks,
                       const struct csg_stack *stack, uint8_t *marks, double *least);
+
+/* Whether float may not hold the ring by itself in pictures of all its profile, that size. */
+bool csg_wall_is_fine(const struct csg_leaf *leaf, double size);
 
 /* The radius of curvature of a ring's frustum at its wide end: the length of the normal from there
  * to the axis. A cone as flat as a ring's may be is hardly curved. */

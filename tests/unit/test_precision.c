@@ -3,6 +3,7 @@
 /* Which objects are drawn in double, and why; and the rule for an eye on a surface. */
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -115,6 +116,25 @@ static void check_choice(struct csgcast_renderer *renderer, const struct choice 
     csgcast_scene_destroy(scene);
 }
 
+/* Of a profile by itself the rings are one object where float does not hold them one by one. */
+static void check_rings(struct csgcast_renderer *renderer)
+{
+    char text[4096];
+    float z[SIZE * SIZE];
+    struct csgcast_stats stats;
+    int at = snprintf(text, sizeof text, "rotate_extrude($fn = 60) polygon([[0, 0]");
+    for (int i = 0; i < 100; i++)
+        at += snprintf(text + at, sizeof text - (size_t)at, ", [%d, %g]", 9 + i % 2, 0.005 * i);
+    snprintf(text + at, sizeof text - (size_t)at, ", [9, 10], [0, 10]]);");
+    struct csgcast_scene *scene = parse(text);
+    const struct csgcast_view view = view_of((double[3]){60, 40, 30}, (double[3]){0, 0, 0});
+    CHECK(scene && csgcast_render(renderer, scene, &view, &(struct csgcast_image){.z = z}),
+          "rings");
+    csgcast_renderer_get_stats(renderer, &stats);
+    CHECK(stats.precise_objects == 0, "rings: %zu: %s", stats.precise_objects, stats.numerics);
+    csgcast_scene_destroy(scene);
+}
+
 /* Without double in the driver the CPU casts those pixels, and the picture is the same. */
 static void check_cpu(struct csgcast_renderer *with, struct csgcast_renderer *without)
 {
@@ -190,6 +210,7 @@ int main(void)
         return 1;
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
         check_choice(gl, &choices[i]);
+    check_rings(gl);
     check_cpu(gl, single);
     for (size_t i = 0; i < sizeof on_surfaces / sizeof *on_surfaces; i++) {
         check_on_surface(gl, &on_surfaces[i]);

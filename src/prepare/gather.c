@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#include "csg/gather.h"
+#include "prepare/gather.h"
 
 #include <stdlib.h>
 
 #include "csg/wholes.h"
+#include "sharpness/wall.h"
+
+/* A ring that is drawn in double costs as much as so many bands, about (measured). */
+#define RINGS_FOR_DOUBLE 32
 
 struct gatherer {
     const struct csgcast_scene *scene;
@@ -11,14 +15,6 @@ struct gatherer {
     uint8_t *highlighted; /* by leaf */
     struct csg_tree to;
 };
-
-bool csg_is_same_node(const struct csgcast_scene *scene, uint32_t a, uint32_t b)
-{
-    const struct csg_leaf *x = &scene->leaves[a], *y = &scene->leaves[b];
-    const struct csg_whole *whole = csg_find_whole(scene, a);
-    return (x->line == y->line && x->column == y->column) ||
-           (whole && b >= whole->begin && b < whole->end);
-}
 
 static uint32_t first_leaf(const struct csg_tree *tree, uint32_t i)
 {
@@ -44,15 +40,53 @@ static bool is_of_node(const struct gatherer *gatherer, const struct csg_tree *t
     return true;
 }
 
-/* The end of the operands from i on that are one node's. */
-static uint32_t end_of_run(const struct gatherer *gatherer, const struct csg_tree *tree, uint32_t i)
+/* Whether float would not hold many of the operands [begin, end), rings of a turned profile, each by
+ * itself: in double it costs as much as many of the bands that all of them are together. */
+static bool are_fine_rings(const struct gatherer *gatherer, const struct csg_tree *tree,
+                           uint32_t begin, uint32_t end)
+{
+    const struct csg_leaf *leaves = gatherer->scene->leaves;
+    struct csg_box box = csg_box_empty;
+    uint32_t num = 0, num_fine = 0;
+    for (uint32_t i = begin; i < end; i++)
+        if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated)
+            box = csg_box_union(&box, &leaves[tree->data[i].leaf].box);
+    const double size = csg_length(csg_sub(box.hi, box.lo));
+    for (uint32_t i = begin; i < end; i++) {
+        if (tree->data[i].op != CSG_LEAF)
+            continue;
+        const struct csg_leaf *leaf = &leaves[tree->data[i].leaf];
+        if (!csg_stack_may_have(&leaf->shape))
+            return false;
+        num++;
+        num_fine += csg_wall_is_fine(leaf, size);
+    }
+    return num >= CSG_STACK_MIN_RINGS && num_fine > num / RINGS_FOR_DOUBLE;
+}
+
+/* The operands from i on that are one node's. */
+static uint32_t end_of_node(const struct gatherer *gatherer, const struct csg_tree *tree,
+                            uint32_t i)
 {
     const uint32_t leaf = first_leaf(tree, i);
     uint32_t end = tree->data[i].end;
-    if (!is_see_through(gatherer, leaf) || !is_of_node(gatherer, tree, i, leaf))
-        return end;
-    while (end < tree->num && is_of_node(gatherer, tree, end, leaf))
-        end = tree->data[end].end;
+    if (is_of_node(gatherer, tree, i, leaf))
+        while (end < tree->num && is_of_node(gatherer, tree, end, leaf))
+            end = tree->data[end].end;
+    return end;
+}
+
+/* The end of the run of operands from i on that are gathered, or, *alone, each stay by themselves.
+ */
+static uint32_t end_of_run(const struct gatherer *gatherer, const struct csg_tree *tree, uint32_t i,
+                           bool *alone)
+{
+    const uint32_t leaf = first_leaf(tree, i);
+    const bool see_through = is_see_through(gatherer, leaf);
+    const bool is_ring = csg_stack_may_have(&gatherer->scene->leaves[leaf].shape);
+    const uint32_t end =
+        see_through || is_ring ? end_of_node(gatherer, tree, i) : tree->data[i].end;
+    *alone = end == tree->data[i].end || !(see_through || are_fine_rings(gatherer, tree, i, end));
     return end;
 }
 
@@ -68,9 +102,9 @@ static bool gather(struct gatherer *gatherer, const struct csg_tree *tree)
     struct csg_tree *to = &gatherer->to;
     bool ok = open_union(to, 0);
     for (uint32_t i = 1, end; i < tree->num && ok; i = end) {
-        end = end_of_run(gatherer, tree, i);
-        const bool several = end > tree->data[i].end;
-        ok = (!several || open_union(to, (uint32_t)to->num + 1 + end - i)) &&
+        bool alone;
+        end = end_of_run(gatherer, tree, i, &alone);
+        ok = (alone || open_union(to, (uint32_t)to->num + 1 + end - i)) &&
              csg_tree_append(to, tree->data, i, end);
     }
     if (ok)
@@ -78,17 +112,19 @@ static bool gather(struct gatherer *gatherer, const struct csg_tree *tree)
     return ok;
 }
 
-static bool has_see_through(const struct gatherer *gatherer, const struct csg_tree *tree)
+static bool may_gather(const struct gatherer *gatherer, const struct csg_tree *tree)
 {
     for (size_t i = 0; i < tree->num; i++)
-        if (tree->data[i].op == CSG_LEAF && is_see_through(gatherer, tree->data[i].leaf))
+        if (tree->data[i].op == CSG_LEAF &&
+            (is_see_through(gatherer, tree->data[i].leaf) ||
+             csg_stack_may_have(&gatherer->scene->leaves[tree->data[i].leaf].shape)))
             return true;
     return false;
 }
 
 static bool gather_layer(struct gatherer *gatherer, struct csg_tree *tree)
 {
-    if (tree->num == 0 || tree->data[0].op != CSG_OR || !has_see_through(gatherer, tree))
+    if (tree->num == 0 || tree->data[0].op != CSG_OR || !may_gather(gatherer, tree))
         return true;
     gatherer->to = (struct csg_tree){0};
     const bool ok = gather(gatherer, tree);
