@@ -100,6 +100,34 @@ static bool add_ends(struct turner *turner)
     return ok;
 }
 
+bool csg_revolve_mesh(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps,
+                      const struct csg_drawing *drawing, const struct csg_profile *profile,
+                      const struct csg_turn *turn, double rounding)
+{
+    const struct csg_figure *figure = &drawing->figures.data[drawing->figures.num - 1];
+    if (figure->begin == figure->end)
+        return true;
+    struct turner turner = {.mesh = mesh,
+                            .drawing = drawing,
+                            .figure = figure,
+                            .turn = turn,
+                            .snap = profile->snap,
+                            .from = turn->start + (turn->angle < 0 ? turn->angle : 0),
+                            .begin = drawing->contours.data[figure->begin].begin,
+                            .all_round = fabs(turn->angle) >= 360};
+    turner.num_corners = drawing->contours.data[figure->end - 1].end - turner.begin;
+    turner.num_columns = (uint32_t)turn->num + (turner.all_round ? 0 : 1);
+    if ((double)turner.num_corners * turn->num > MAX_FACES ||
+        turner.num_corners > CSG_TRIANGULATE_MAX_CORNERS)
+        return true;
+    mesh->rounding = rounding;
+    mesh->is_simple = fabs(turn->angle) < 180.0 * turn->num;
+    const bool ok = add_points(&turner) && add_sides(&turner) && add_ends(&turner) &&
+                    csg_mesh_orient(mesh, gaps);
+    free(turner.first.data);
+    return ok;
+}
+
 /* Half a turn in one segment is flat, as OpenSCAD's mesh of it. */
 static bool fill_flat(struct csg_shape *shape, const struct csg_mesh *mesh,
                       const struct csg_mesh_gaps *gaps)
@@ -111,44 +139,18 @@ static bool fill_flat(struct csg_shape *shape, const struct csg_mesh *mesh,
     return ok;
 }
 
-static bool fill(struct turner *turner, struct csg_shape *shape, double rounding)
-{
-    struct csg_mesh_gaps gaps;
-    turner->mesh->rounding = rounding;
-    turner->mesh->is_simple = fabs(turner->turn->angle) < 180.0 * turner->turn->num;
-    if (!add_points(turner) || !add_sides(turner) || !add_ends(turner) ||
-        !csg_mesh_orient(turner->mesh, &gaps))
-        return false;
-    if (gaps.num || turner->mesh->faces.num == 0)
-        return true;
-    const bool ok = csg_turn_is_flat(turner->turn) ? fill_flat(shape, turner->mesh, &gaps)
-                                                   : csg_mesh_to_shape(turner->mesh, false, shape);
-    shape->facetted = ok;
-    return ok;
-}
-
 bool csg_revolve_surface(struct csg_shape *shape, const struct csg_drawing *drawing,
                          const struct csg_profile *profile, const struct csg_turn *turn,
                          double rounding)
 {
-    const struct csg_figure *figure = &drawing->figures.data[drawing->figures.num - 1];
-    if (figure->begin == figure->end)
-        return true;
     struct csg_mesh mesh = {0};
-    struct turner turner = {.mesh = &mesh,
-                            .drawing = drawing,
-                            .figure = figure,
-                            .turn = turn,
-                            .snap = profile->snap,
-                            .from = turn->start + (turn->angle < 0 ? turn->angle : 0),
-                            .begin = drawing->contours.data[figure->begin].begin,
-                            .all_round = fabs(turn->angle) >= 360};
-    turner.num_corners = drawing->contours.data[figure->end - 1].end - turner.begin;
-    turner.num_columns = (uint32_t)turn->num + (turner.all_round ? 0 : 1);
-    const bool fits = (double)turner.num_corners * turn->num <= MAX_FACES &&
-                      turner.num_corners <= CSG_TRIANGULATE_MAX_CORNERS;
-    const bool ok = !fits || fill(&turner, shape, rounding);
-    free(turner.first.data);
+    struct csg_mesh_gaps gaps = {0};
+    bool ok = csg_revolve_mesh(&mesh, &gaps, drawing, profile, turn, rounding);
+    if (ok && gaps.num == 0 && mesh.faces.num > 0) {
+        ok = csg_turn_is_flat(turn) ? fill_flat(shape, &mesh, &gaps)
+                                    : csg_mesh_to_shape(&mesh, false, shape);
+        shape->facetted = ok;
+    }
     csg_mesh_finish(&mesh);
     return ok;
 }

@@ -155,9 +155,8 @@ static bool add_points(const struct csg_mesh *mesh, struct csg_part *part)
 
 /* ---- hulls -------------------------------------------------------------------------------- */
 
-/* is_hull: it shows as its hull there. */
-static bool find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
-                      bool *is_hull)
+bool csg_polyhedron_find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
+                              bool *is_hull)
 {
     struct csg_cut_space space = {.map = csg_map_identity};
     bool shallow, there;
@@ -244,7 +243,8 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
         warn_of_gaps(walk, node, mesh, &gaps);
     if (mesh->num_guessed)
         warn_of_guesses(walk, node, mesh->num_guessed);
-    if (!is_hull && gaps.num == 0 && !mesh->keeps_dents && !find_hull(walk, node, mesh, &is_hull))
+    if (!is_hull && gaps.num == 0 && !mesh->keeps_dents &&
+        !csg_polyhedron_find_hull(walk, node, mesh, &is_hull))
         return false;
     if (is_hull && (!add_hull(walk, mesh, part, &is_hull) || is_hull))
         return is_hull;

@@ -3,11 +3,13 @@
  * rotate_extrude(angle, start, $fn, $fa, $fs) as OpenSCAD 2021.01 and 2025 write it. The profile is
  * a polygon, with OpenSCAD's facets for circles; the turn is exact.
  */
+#include "plane/hull.h"
 #include "plane/outline.h"
 #include "plane/revolve_surface.h"
 #include "scene/compounds.h"
 #include "scene/drawings.h"
 #include "scene/import.h"
+#include "scene/polyhedron.h"
 #include "solids/facets.h"
 
 /* Turns with more segments are refused in as-written mode. */
@@ -66,8 +68,41 @@ static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn
     return ok && (!*taken || csg_part_add(part, &shape, false));
 }
 
+/* Only dents of so many degrees may be so shallow in OpenSCAD's facets, where these are put, that it
+ * takes the hull. */
+#define MAPPED_DEGREES 10.0
+
+/* Replaces the profile of a solid that shows as its hull by its own. false, with a message, when
+ * memory is out. */
+static bool take_hull(struct csg_walk *walk, uint32_t node, const struct csg_turn *turn,
+                      struct csg_drawing *drawing, struct csg_profile *profile, double rounding)
+{
+    struct csg_mesh mesh = {0};
+    struct csg_mesh_gaps gaps = {0};
+    bool is_hull = false;
+    const double dents = csg_profile_dents(profile);
+    if (!(dents > 0 && dents < MAPPED_DEGREES) || walk->points_only)
+        return true;
+    enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
+    if (result == CSG_SWEEP_DONE &&
+        !csg_revolve_mesh(&mesh, &gaps, drawing, profile, turn, rounding))
+        result = CSG_SWEEP_NO_MEMORY;
+    bool ok = result != CSG_SWEEP_DONE || mesh.faces.num == 0 || gaps.num > 0 ||
+              csg_polyhedron_find_hull(walk, node, &mesh, &is_hull);
+    csg_mesh_finish(&mesh);
+    if (is_hull)
+        result = csg_drawing_hull(drawing, 0);
+    if (is_hull && result == CSG_SWEEP_DONE) {
+        csg_profile_finish(profile);
+        result = csg_profile_init(profile, drawing);
+    }
+    if (result == CSG_SWEEP_NO_MEMORY)
+        ok = csg_log_memory(&walk->builder->report->log);
+    return ok;
+}
+
 static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
-                    struct csg_drawing *drawing, const struct csg_profile *profile, double rounding,
+                    struct csg_drawing *drawing, struct csg_profile *profile, double rounding,
                     bool in_boolean, struct csg_part *part)
 {
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
@@ -84,6 +119,8 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     if (revolution->turn.facetted && revolution->turn.num == 1 &&
         fabs(revolution->turn.angle) > 180)
         revolution->turn.angle -= copysign(360, revolution->turn.angle);
+    if (!take_hull(walk, node, &revolution->turn, drawing, profile, rounding))
+        return false;
     bool taken = false;
     const bool is_surface = csg_turn_is_flat(&revolution->turn)
                                 ? !in_boolean

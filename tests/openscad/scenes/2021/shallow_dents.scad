@@ -33,3 +33,15 @@ translate([70, 40, 0]) minkowski() { union() { bent(0.5); cube(1); } cube(1); }
 translate([70, 20, 0]) difference() { bent(0.5); cube(1); }
 
 translate([40, 20, 0]) rotate([90, 0, 0]) linear_extrude(1) projection(cut = true) rotate([90, 0, 0]) dented(0.01);
+
+// So of a turn whose profile reaches out from the axis: a waist of many shallow bends is lost.
+module turned(angle = 360, bend = 0.08)
+    rotate_extrude(angle = angle, $fn = 8)
+        polygon([[0, -3], for (i = [-15:15]) [9 + i * i / 4 * bend * PI / 180, 5 + i / 2], [0, 14]]);
+
+translate([90, 0, 0]) difference() { turned(); cube([12, 12, 4]); }
+translate([90, 25, 0]) intersection() { turned(130); translate([-15, 0, 2]) cube(30); }
+translate([90, 50, 0]) difference() { turned(bend = 0.2); cube([12, 12, 4]); }
+translate([115, 0, 0]) turned();
+translate([115, 25, 0]) minkowski() { mirror([1, 0, 0]) turned(-90); cube(1); }
+translate([115, 50, 0]) difference() { turned(270); cube([12, 12, 4]); }
