@@ -7,22 +7,16 @@
  * functions.
  */
 
+/* CSG_ONE_PLANE_A_SIDE: e1 and x1 are none. */
 csg_span csg_chain_planes(vec4 e0, vec4 e1, vec4 x0, vec4 x1, vec2 d)
 {
     csg_span span = csg_whole_ray();
     csg_enter(csg_plane(e0, d), 0, span);
+    csg_leave(csg_plane(x0, d), 2, span);
+#ifndef CSG_ONE_PLANE_A_SIDE
     csg_enter(csg_plane(e1, d), 1, span);
-    csg_leave(csg_plane(x0, d), 2, span);
     csg_leave(csg_plane(x1, d), 3, span);
-    return span;
-}
-
-/* The same with one of each. */
-csg_span csg_chain_pair(vec4 e0, vec4 x0, vec2 d)
-{
-    csg_span span = csg_whole_ray();
-    csg_enter(csg_plane(e0, d), 0, span);
-    csg_leave(csg_plane(x0, d), 2, span);
+#endif
     return span;
 }
 

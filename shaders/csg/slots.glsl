@@ -29,30 +29,16 @@ void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out ve
     int entries = has ? int(record.x) : 0, exits = has ? int(record.y) : 0;
     bool negated = !has || (int(record.z) & CSG_RECORD_NEGATED) != 0;
     e0 = csg_slot_plane(at + 1, entries > 0, has ? -CSG_KEY_MAX : CSG_KEY_MAX);
-    e1 = csg_slot_plane(at + 2, entries > 1, -CSG_KEY_MAX);
-    x0 = csg_slot_plane(at + 1 + entries, exits > 0, CSG_KEY_MAX);
-    x1 = csg_slot_plane(at + 2 + entries, exits > 1, CSG_KEY_MAX);
-    int numbers = csg_slot_number(e0, 0) | csg_slot_number(e1, 1) | csg_slot_number(x0, 2) |
-                  csg_slot_number(x1, 3);
-    int clause = int(record.z) / CSG_RECORD_CLAUSE * CSG_CHAIN_CLAUSE;
-    head = vec3(float(clause + (negated ? CSG_CHAIN_NEGATED : 0)), record.w, float(numbers));
-    has_quadric = has && (int(record.z) & CSG_RECORD_QUADRIC) != 0;
-    p += has ? 1 + entries + exits : 0;
-}
-
-/* The same of a record with one plane of each sense at most, without clauses. */
-void csg_read_slot_pair(inout int p, ivec2 object, out vec3 head, out vec4 e0, out vec4 x0,
-                        out bool has_quadric)
-{
-    bool has = p < object.y;
-    int at = has ? p : object.x;
-    vec4 record = csg_texel(at);
-    int entries = has ? int(record.x) : 0, exits = has ? int(record.y) : 0;
-    bool negated = !has || (int(record.z) & CSG_RECORD_NEGATED) != 0;
-    e0 = csg_slot_plane(at + 1, entries > 0, has ? -CSG_KEY_MAX : CSG_KEY_MAX);
     x0 = csg_slot_plane(at + 1 + entries, exits > 0, CSG_KEY_MAX);
     int numbers = csg_slot_number(e0, 0) | csg_slot_number(x0, 2);
-    head = vec3(negated ? float(CSG_CHAIN_NEGATED) : 0.0, record.w, float(numbers));
+    e1 = x1 = vec4(0.0);
+#ifndef CSG_ONE_PLANE_A_SIDE
+    e1 = csg_slot_plane(at + 2, entries > 1, -CSG_KEY_MAX);
+    x1 = csg_slot_plane(at + 2 + entries, exits > 1, CSG_KEY_MAX);
+    numbers |= csg_slot_number(e1, 1) | csg_slot_number(x1, 3);
+#endif
+    int clause = int(record.z) / CSG_RECORD_CLAUSE * CSG_CHAIN_CLAUSE;
+    head = vec3(float(clause + (negated ? CSG_CHAIN_NEGATED : 0)), record.w, float(numbers));
     has_quadric = has && (int(record.z) & CSG_RECORD_QUADRIC) != 0;
     p += has ? 1 + entries + exits : 0;
 }

@@ -106,7 +106,10 @@ bool csg_chain_is_general(int i)
 /* Variables of a slot. */
 static void add_slot(struct csg_text *text, const struct csg_chain *chain, int i)
 {
-    csg_text_add(text, "    vec4 e%d, f%d, x%d, y%d;\n    vec3 h%d;\n", i, i, i, i, i);
+    csg_text_add(text,
+                 "    vec4 e%d, f%d = vec4(0.0), x%d, y%d = vec4(0.0);\n"
+                 "    vec3 h%d;\n",
+                 i, i, i, i, i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    vec4 q%d, r%d, s%d;\n", i, i, i);
     if (chain->colors)
@@ -120,12 +123,8 @@ static void add_reading(struct csg_text *text, const struct csg_chain *chain, in
 {
     add_slot(text, chain, i);
     csg_text_add(text, "    bool b%d;\n", i);
-    if (chain->planes > 1)
-        csg_text_add(text, "    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n", i, i,
-                     i, i, i, i);
-    else
-        csg_text_add(text, "    csg_read_slot_pair(p, object.xy, h%d, e%d, x%d, b%d);\n", i, i, i,
-                     i);
+    csg_text_add(text, "    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n", i, i, i,
+                 i, i, i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    csg_read_slot_quadric(p, b%d, h%d, q%d, r%d, s%d);\n", i, i, i, i,
                      i);
@@ -199,11 +198,8 @@ static void add_slots(struct csg_text *text, const struct csg_chain *chain)
 /* Where the ray is inside of the slot's solid. */
 static void add_span(struct csg_text *text, const struct csg_chain *chain, int i)
 {
-    if (chain->planes > 1)
-        csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i,
-                     i, i);
-    else
-        csg_text_add(text, "    csg_span l%d = csg_chain_pair(e%d, x%d, d);\n", i, i, i);
+    csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i, i,
+                 i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i, i,
                      i, i);

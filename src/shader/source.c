@@ -170,6 +170,25 @@ static struct csg_stages finish_stages(struct csg_text *vertex, struct csg_text 
     return stages;
 }
 
+static void define(struct csg_text *vertex, struct csg_text *fragment, const char *name)
+{
+    csg_text_add(vertex, "#define %s\n", name);
+    csg_text_add(fragment, "#define %s\n", name);
+}
+
+static void define_features(struct csg_text *fragment, int features)
+{
+    static const struct {
+        int feature;
+        const char *name;
+    } names[] = {{CSG_FEATURE_QUADRIC, "QUADRIC"}, {CSG_FEATURE_GAP, "GAP"},
+                 {CSG_FEATURE_SURFACE, "SURFACE"}, {CSG_FEATURE_BANDS, "BANDS"},
+                 {CSG_FEATURE_NESTED, "NESTED"},   {CSG_FEATURE_STIFF, "STIFF"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (features & names[i].feature)
+            csg_text_add(fragment, "#define CSG_HAS_%s\n", names[i].name);
+}
+
 /* What all geometry programs begin with. */
 static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
                            enum csg_resolver resolver, int features)
@@ -177,30 +196,15 @@ static void start_geometry(struct csg_text *vertex, struct csg_text *fragment,
     const bool textbook = features & CSG_FEATURE_TEXTBOOK;
     add_preamble(vertex, 0);
     add_preamble(fragment, features);
-    if (textbook) {
-        csg_text_add(vertex, "#define CSG_TEXTBOOK\n");
-        csg_text_add(fragment, "#define CSG_TEXTBOOK\n");
-    }
-    if (resolver == CSG_RESOLVER_CHAIN) {
-        csg_text_add(vertex, "#define CSG_IS_CHAIN\n");
-        csg_text_add(fragment, "#define CSG_IS_CHAIN\n");
-    }
+    if (textbook)
+        define(vertex, fragment, "CSG_TEXTBOOK");
+    if (resolver == CSG_RESOLVER_CHAIN)
+        define(vertex, fragment, "CSG_IS_CHAIN");
     add_file(vertex, "common/data.glsl");
     add_file(vertex, "common/screen.vert.glsl");
     add_file(vertex, "solids/sense.glsl");
     add_file(vertex, "csg/normals.glsl");
-    if (features & CSG_FEATURE_QUADRIC)
-        csg_text_add(fragment, "#define CSG_HAS_QUADRIC\n");
-    if (features & CSG_FEATURE_GAP)
-        csg_text_add(fragment, "#define CSG_HAS_GAP\n");
-    if (features & CSG_FEATURE_SURFACE)
-        csg_text_add(fragment, "#define CSG_HAS_SURFACE\n");
-    if (features & CSG_FEATURE_BANDS)
-        csg_text_add(fragment, "#define CSG_HAS_BANDS\n");
-    if (features & CSG_FEATURE_NESTED)
-        csg_text_add(fragment, "#define CSG_HAS_NESTED\n");
-    if (features & CSG_FEATURE_STIFF)
-        csg_text_add(fragment, "#define CSG_HAS_STIFF\n");
+    define_features(fragment, features);
     add_file(fragment, "common/data.glsl");
     add_file(fragment, "common/real.glsl");
     add_file(fragment, "common/screen.glsl");
@@ -291,10 +295,10 @@ struct csg_stages csg_source_geometry_chain(int i, int features)
     struct csg_text vertex = {0}, fragment = {0};
     features |= chain.quadrics ? CSG_FEATURE_QUADRIC : 0;
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, features);
-    if (chain.clauses) {
-        csg_text_add(&vertex, "#define CSG_HAS_CLAUSES\n");
-        csg_text_add(&fragment, "#define CSG_HAS_CLAUSES\n");
-    }
+    if (chain.clauses)
+        define(&vertex, &fragment, "CSG_HAS_CLAUSES");
+    if (chain.planes == 1)
+        define(&vertex, &fragment, "CSG_ONE_PLANE_A_SIDE");
     add_file(&vertex, "csg/slots.glsl");
     if (chain.slots > chain.handed)
         add_file(&fragment, "csg/slots.glsl");
