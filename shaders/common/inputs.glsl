@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * For each set of flat inputs llvmpipe compiles code for the set-up of triangles anew, 5 to 10 ms
- * that no cache keeps. Programs that all scenes share (CSG_SHARED) therefore have the same inputs,
- * or the same larger ones: csg_spare has what an object does not need.
+ * that no cache keeps. Programs that all scenes share (CSG_SHARED) therefore have the same inputs
+ * there, or the same larger ones: csg_spare has what an object does not need.
  */
 #ifndef CSG_HAS_LIGHT
 flat in vec4 csg_lit;

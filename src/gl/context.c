@@ -73,8 +73,9 @@ static bool init_version(struct csg_gl_context *context, const char *where,
     snprintf(context->name, sizeof context->name, "%s: %.200s, %d.%d core", gl->platform->name,
              renderer ? renderer : "unknown", major, minor);
     gl->name = context->name;
-    context->is_software = strstr(context->name, "llvmpipe") || strstr(context->name, "softpipe") ||
-                           strstr(context->name, "swrast");
+    gl->is_llvmpipe = strstr(context->name, "llvmpipe") != NULL;
+    context->is_software =
+        gl->is_llvmpipe || strstr(context->name, "softpipe") || strstr(context->name, "swrast");
     gl->has_double =
         (major >= 4 || has_extension(gl, "GL_ARB_gpu_shader_fp64")) && !getenv("CSGCAST_NO_DOUBLE");
     gl->has_pack_invert = has_extension(gl, "GL_MESA_pack_invert");

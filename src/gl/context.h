@@ -17,6 +17,7 @@ struct csg_gl {
     const char *name;     /* "egl: <renderer>, <version>"; lives as long as the context */
     bool has_double;      /* GL_ARB_gpu_shader_fp64 or 4.0 */
     bool has_pack_invert; /* GL_MESA_pack_invert */
+    bool is_llvmpipe;
     const struct csg_gl_platform *platform;
 #define CSG_GL_FUNCTION(type, name) type name;
 #include "gl/functions.def"

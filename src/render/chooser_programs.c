@@ -7,7 +7,7 @@
 static int frame_features(const struct csg_chooser *chooser)
 {
     return (chooser->direct ? CSG_FEATURE_DIRECT : 0) |
-           (chooser->request->shared ? CSG_FEATURE_SHARED : 0);
+           (chooser->request->same_inputs ? CSG_FEATURE_SHARED : 0);
 }
 
 static GLuint compile(struct csg_chooser *chooser, enum csg_resolver resolver,

@@ -22,7 +22,7 @@ bool csg_chooser_prepare_tiles(struct csg_chooser *chooser)
         return true;
     chooser->tiles_prepared = true;
     for (int i = 0; i < CSG_NUM_CHAINS && !chooser->request->textbook; i++)
-        if (csg_chain_is_general(i) && !csg_chooser_chain(chooser, i))
+        if (chooser->may_chain[i] && csg_chain_is_general(i) && !csg_chooser_chain(chooser, i))
             return false;
     return csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP,
                               &resolver) != 0;
@@ -112,7 +112,7 @@ static bool prepare_shade(struct csg_chooser *chooser, bool bytes)
     const struct csg_request *request = chooser->request;
     return csg_programs_get(&chooser->renderer->programs,
                             csg_source_shade(request->image->id != NULL, bytes,
-                                             request->shared ? CSG_FEATURE_SHARED : 0)) != 0;
+                                             request->same_inputs ? CSG_FEATURE_SHARED : 0)) != 0;
 }
 
 static bool wants_bytes_alone(const struct csgcast_image *image)

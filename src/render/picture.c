@@ -96,11 +96,11 @@ static bool prepare_shading(struct csg_picture *picture)
     if (picture->batches.direct)
         return true;
     csg_bound_draws(&picture->renderer->frame, picture->rect);
-    picture->shade =
-        csg_programs_get(&picture->renderer->programs,
-                         csg_source_shade(picture->want_leaf, picture->bytes,
-                                          (picture->request->textbook ? CSG_FEATURE_TEXTBOOK : 0) |
-                                              (picture->request->shared ? CSG_FEATURE_SHARED : 0)));
+    picture->shade = csg_programs_get(
+        &picture->renderer->programs,
+        csg_source_shade(picture->want_leaf, picture->bytes,
+                         (picture->request->textbook ? CSG_FEATURE_TEXTBOOK : 0) |
+                             (picture->request->same_inputs ? CSG_FEATURE_SHARED : 0)));
     return picture->shade != 0;
 }
 
@@ -204,8 +204,9 @@ void csg_picture_warm_up(struct csgcast_renderer *renderer)
     const struct csg_targets_use use = {.bytes = true};
     if (!csg_gl_enter(renderer->gl))
         return;
-    picture.shade =
-        csg_programs_get(&renderer->programs, csg_source_shade(false, true, CSG_FEATURE_SHARED));
+    picture.shade = csg_programs_get(
+        &renderer->programs,
+        csg_source_shade(false, true, renderer->gl->is_llvmpipe ? CSG_FEATURE_SHARED : 0));
     if (picture.shade && csg_upload_frame(renderer, &picture.batches, false) &&
         csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, &use)) {
         csg_passes_draw_nothing(&picture);

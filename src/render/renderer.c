@@ -120,6 +120,7 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     request->scheme = csg_colorscheme_find(view->colorscheme);
     request->textbook = view->variant && strcmp(view->variant, CSG_TEXTBOOK_NAME) == 0;
     request->shared = view->variant && strcmp(view->variant, CSG_SHARED_NAME) == 0;
+    request->same_inputs = request->shared && renderer->gl && renderer->gl->is_llvmpipe;
     request->resolver = find_resolver(request->textbook || request->shared ? NULL : view->variant);
     if (!request->scheme)
         return argument_error(renderer, "colour scheme", view->colorscheme);

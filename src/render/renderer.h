@@ -50,11 +50,13 @@ struct csg_request {
     struct csgcast_frustum frustum;
     const struct csg_colorscheme *scheme;
     int width, height;
-    int resolver;    /* enum csg_resolver, or -1 for the best */
-    bool textbook;   /* crossings as textbooks have them */
-    bool shared;     /* no straight-line programs but those of single solids */
-    int tile_size;   /* as in csg_frame_params */
-    bool after_edit; /* the first frame since then: it makes do with the programs that there are */
+    int resolver;     /* enum csg_resolver, or -1 for the best */
+    bool textbook;    /* crossings as textbooks have them */
+    bool shared;      /* no straight-line programs but those of single solids */
+    bool same_inputs; /* ... and on llvmpipe, that compiles code for each set of flat inputs, see
+                       * shaders/common/inputs.glsl. Other drivers may allow fewer than that is. */
+    int tile_size;    /* as in csg_frame_params */
+    bool after_edit;  /* the first frame since then: it makes do with the programs that there are */
     const struct csgcast_image *image;
 };
 
