@@ -75,7 +75,7 @@ uint64_t csg_normal_key(const struct csg_carrier_space *space, int width,
 uint64_t csg_quadric_key(const struct csg_carrier_space *space, const struct csg_quadric *quadric,
                          uint16_t place[3]);
 
-/* Of the cells where those are that it may coincide with, and how many they are. */
+/* Of the cells where those are that it may coincide with, its own first, and how many they are. */
 int csg_parallel_keys(const struct csg_carrier_space *space, const struct csg_plane *plane,
                       uint64_t keys[8]);
 int csg_normal_keys(const struct csg_carrier_space *space, int width, const struct csg_plane *plane,

@@ -14,7 +14,7 @@ enum { MIN_FACES = 20000, NUM_TASKS = 32 };
 
 /* Two bits for each of so many places a face: a key's place is another one's by chance, too. Fewer
  * where that would take more memory than what they spare. */
-enum { PLACES_A_FACE = 64, PLACES_A_WORD = 16, MAX_PLACES = 1 << 27 };
+enum { PLACES_A_FACE = 64, PLACES_A_WORD = 16, MAX_PLACES = 1 << 28 };
 
 /* Faces whose places are on their way from memory at a time. */
 enum { BATCH = 16 };
@@ -92,11 +92,18 @@ static uint64_t place_of(const struct search *search, uint64_t key)
     return key >> 8 & search->mask;
 }
 
+/* The keys of one face, as the index has them: those of its own cells, and those of the cells that
+ * are looked at besides. */
+struct keys {
+    uint64_t own[CSG_MAX_WIDTHS], beside[8 * CSG_MAX_WIDTHS];
+    int num_own, num_beside;
+};
+
 /* A face whose own keys meet by chance is none: that only costs time. */
-static void enter(const struct search *search, const uint64_t *keys, int num)
+static void enter(const struct search *search, const struct keys *keys)
 {
-    for (int i = 0; i < num; i++) {
-        const uint64_t place = place_of(search, keys[i]);
+    for (int i = 0; i < keys->num_own; i++) {
+        const uint64_t place = place_of(search, keys->own[i]);
         const unsigned first = 1u << 2 * (place % PLACES_A_WORD);
         atomic_uint *word = &search->words[place / PLACES_A_WORD];
         if (atomic_fetch_or_explicit(word, first, memory_order_relaxed) & first)
@@ -104,16 +111,24 @@ static void enter(const struct search *search, const uint64_t *keys, int num)
     }
 }
 
-static bool is_alone(const struct search *search, const uint64_t *keys, int num)
+/* Whether so many keys, 1 or 2, or more have come to the place of a key. */
+static bool has_come(const struct search *search, uint64_t key, unsigned num)
 {
-    for (int i = 0; i < num; i++) {
-        const uint64_t place = place_of(search, keys[i]);
-        const unsigned second = 2u << 2 * (place % PLACES_A_WORD);
-        if (atomic_load_explicit(&search->words[place / PLACES_A_WORD], memory_order_relaxed) &
-            second)
+    const uint64_t place = place_of(search, key);
+    const unsigned word =
+        atomic_load_explicit(&search->words[place / PLACES_A_WORD], memory_order_relaxed);
+    return word >> 2 * (place % PLACES_A_WORD) & num;
+}
+
+static bool is_alone(const struct search *search, const struct keys *keys)
+{
+    for (int i = 0; i < keys->num_own; i++)
+        if (has_come(search, keys->own[i], 2))
             return false;
-    }
-    return num > 0;
+    for (int i = 0; i < keys->num_beside; i++)
+        if (has_come(search, keys->beside[i], 1))
+            return false;
+    return keys->num_own > 0;
 }
 
 /* Faces of a task that wait. */
@@ -121,53 +136,80 @@ struct batch {
     const struct search *search;
     size_t num;
     struct {
-        uint8_t *alone; /* gets whether it is; NULL: its keys are entered */
-        int num;
-        uint64_t keys[8 * CSG_MAX_WIDTHS];
+        uint8_t *alone; /* gets whether it is; NULL: its own keys are entered */
+        struct keys keys;
     } faces[BATCH];
 };
 
 static void flush(struct batch *batch)
 {
     for (size_t i = 0; i < batch->num; i++) {
-        const uint64_t *keys = batch->faces[i].keys;
+        const struct keys *keys = &batch->faces[i].keys;
         if (batch->faces[i].alone)
-            *batch->faces[i].alone = is_alone(batch->search, keys, batch->faces[i].num);
+            *batch->faces[i].alone = is_alone(batch->search, keys);
         else
-            enter(batch->search, keys, batch->faces[i].num);
+            enter(batch->search, keys);
     }
     batch->num = 0;
 }
 
-/* The keys are in the batch already. */
-static void add_face(struct batch *batch, int num, uint8_t *alone)
+static void fetch(const struct search *search, const uint64_t *keys, int num)
 {
-    batch->faces[batch->num].num = num;
-    batch->faces[batch->num].alone = alone;
     for (int i = 0; i < num; i++)
-        csg_prefetch(
-            &batch->search->words[place_of(batch->search, batch->faces[batch->num].keys[i]) /
-                                  PLACES_A_WORD]);
+        csg_prefetch(&search->words[place_of(search, keys[i]) / PLACES_A_WORD]);
+}
+
+/* The keys are in the batch already. */
+static void add_face(struct batch *batch, uint8_t *alone)
+{
+    const struct keys *keys = &batch->faces[batch->num].keys;
+    batch->faces[batch->num].alone = alone;
+    fetch(batch->search, keys->own, keys->num_own);
+    fetch(batch->search, keys->beside, keys->num_beside);
     if (++batch->num == BATCH)
         flush(batch);
 }
 
+/* Keys around a face, of which the first is its own cell's. */
+static void take_keys(struct keys *keys, const uint64_t around[8], int num)
+{
+    keys->own[keys->num_own++] = around[0];
+    for (int i = 1; i < num; i++)
+        keys->beside[keys->num_beside++] = around[i];
+}
+
 /* A plane is looked for under other normals where these nearly agree: so are then those that it may
  * coincide with. In which width depends on the other face, too; what is alone in one is alone in
- * narrower ones. */
-static int plane_keys(const struct search *search, const struct csg_plane *plane,
-                      uint64_t keys[8 * CSG_MAX_WIDTHS])
+ * narrower ones. judged: with the cells beside its own. */
+static void find_plane_keys(const struct search *search, const struct csg_plane *plane, bool judged,
+                            struct keys *keys)
 {
     const struct csg_carrier_space *space = &search->builder->index.space;
-    int num = 0;
+    uint64_t around[8];
+    keys->num_own = keys->num_beside = 0;
     if (search->is_dense)
-        return 0;
-    if (!csg_directions_are_shared(search->directions, plane->normal))
-        return csg_parallel_keys(space, plane, keys);
-    for (int i = 0; i < space->num_widths; i++)
-        if (i == 0 || !csg_carrier_has_spread(&space->widths[i - 1], &space->widths[i].spread))
-            num += csg_normal_keys(space, i, plane, &keys[num]);
-    return num;
+        return;
+    if (!csg_directions_are_shared(search->directions, plane->normal)) {
+        take_keys(keys, around, csg_parallel_keys(space, plane, around));
+        return;
+    }
+    for (int i = 0; i < space->num_widths; i++) {
+        if (i > 0 && csg_carrier_has_spread(&space->widths[i - 1], &space->widths[i].spread))
+            continue;
+        if (judged)
+            take_keys(keys, around, csg_normal_keys(space, i, plane, around));
+        else
+            keys->own[keys->num_own++] = csg_normal_key(space, i, plane);
+    }
+}
+
+static void find_quadric_keys(const struct search *search, const struct csg_quadric *quadric,
+                              struct keys *keys)
+{
+    uint64_t around[8];
+    keys->num_own = keys->num_beside = 0;
+    take_keys(keys, around,
+              csg_quadric_keys(&search->builder->index.space, quadric, around, (uint16_t[3]){0}));
 }
 
 /* Enters a leaf's keys, or with judged asks whether its faces are alone. */
@@ -179,14 +221,14 @@ static void add_leaf(struct batch *batch, uint32_t leaf, bool judged)
     uint8_t *faces = search->loners->planes + search->builder->carriers->face_begin[leaf];
     struct csg_plane plane;
     for (uint32_t i = 0; i < planes.num; i++)
-        if (plane_at(&planes, i, &plane))
-            add_face(batch, plane_keys(search, &plane, batch->faces[batch->num].keys),
-                     judged ? &faces[i] : NULL);
-    if (shape->has_quadric)
-        add_face(batch,
-                 csg_quadric_keys(&search->builder->index.space, &shape->quadric,
-                                  batch->faces[batch->num].keys, (uint16_t[3]){0}),
-                 judged ? &search->loners->quadrics[leaf] : NULL);
+        if (plane_at(&planes, i, &plane)) {
+            find_plane_keys(search, &plane, judged, &batch->faces[batch->num].keys);
+            add_face(batch, judged ? &faces[i] : NULL);
+        }
+    if (!shape->has_quadric)
+        return;
+    find_quadric_keys(search, &shape->quadric, &batch->faces[batch->num].keys);
+    add_face(batch, judged ? &search->loners->quadrics[leaf] : NULL);
 }
 
 static void add_leaves(struct search *search, size_t task, bool judged)

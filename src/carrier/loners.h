@@ -18,8 +18,8 @@ struct csg_loners {
 struct csg_carrier_builder;
 
 /*
- * Of the builder's leaves; its index is started, and nothing in it. A face is a loner where no cell
- * that is looked at for it is looked at for another one. The order of the faces does not matter.
+ * Of the builder's leaves; its index is started, and nothing in it. A face is a loner where no other
+ * one is in a cell that is looked at for it. The order of the faces does not matter.
  * false: out of memory.
  */
 bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder *builder);
