@@ -183,7 +183,7 @@ bool csg_carriers_fill_boxes(const struct csgcast_scene *scene, struct csg_carri
                                              : (struct csg_face){.carrier = CSG_NO_CARRIER};
             if (face.carrier == CSG_NO_CARRIER)
                 continue;
-            struct csg_box box = csg_leaf_box(&scene->leaves[nodes[j].leaf]);
+            struct csg_box box = scene->leaves[nodes[j].leaf].box;
             box = csg_box_intersection(&box, &object->box);
             if (!csg_box_is_empty(&box))
                 carriers->quadric_boxes[face.carrier] =

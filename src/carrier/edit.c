@@ -125,7 +125,7 @@ static bool fill_own_boxes(struct csg_carrier_change *change, const struct csg_o
             continue;
         if (change->builder->lists[CSG_QUADRIC].uses.data[carrier] > 1)
             return false;
-        const struct csg_box box = csg_leaf_box(&change->scene->leaves[nodes[i].leaf]);
+        const struct csg_box box = change->scene->leaves[nodes[i].leaf].box;
         const struct csg_box seen = csg_box_intersection(&box, &object->box);
         carriers->quadric_boxes[carrier] = csg_box_is_empty(&seen) ? csg_box_empty : seen;
     }
@@ -254,7 +254,7 @@ static bool has_room(struct csg_carrier_change *change)
     for (uint32_t i = 0; i < change->scene->num_leaves; i++) {
         if (!change->wanted[i])
             continue;
-        const struct csg_box box = csg_leaf_box(&change->scene->leaves[i]);
+        const struct csg_box box = change->scene->leaves[i].box;
         all = csg_box_union(&all, &box);
         num++;
         if (csg_is_touched(change, i) && !csg_carrier_has_room(builder, i))

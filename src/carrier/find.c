@@ -11,7 +11,7 @@ enum { NUM_SAMPLES = 24, LEAST_SAMPLES = 9 };
 
 struct csg_leaf_extent csg_leaf_extent_of(const struct csg_carrier_builder *builder, uint32_t leaf)
 {
-    const struct csg_box box = csg_leaf_box(&builder->scene->leaves[leaf]);
+    const struct csg_box box = builder->scene->leaves[leaf].box;
     const struct csg_shape *shape = &builder->scene->leaves[leaf].shape;
     const double rounding = shape->rounding;
     if (!csg_box_is_finite(&box))

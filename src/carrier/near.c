@@ -21,8 +21,7 @@ static bool add_boxes(const struct csg_carrier_change *change, uint32_t leaf, st
         return true;
     return (!change->builder->wanted[leaf] ||
             csg_array_push(boxes, csg_box_map(&shape->frame, &shape->bounds))) &&
-           (!change->wanted[leaf] ||
-            csg_array_push(boxes, csg_leaf_box(&change->scene->leaves[leaf])));
+           (!change->wanted[leaf] || csg_array_push(boxes, change->scene->leaves[leaf].box));
 }
 
 static bool list_boxes(const struct csg_carrier_change *change, struct boxes *boxes)

@@ -108,7 +108,7 @@ static uint8_t *mark_near(struct search *search, uint32_t leaf, double reach,
 /* How far from each other faces may be that coincide. */
 static double reach_of(const struct csgcast_scene *scene, double rounding, uint32_t leaf)
 {
-    const struct csg_box box = csg_leaf_box(&scene->leaves[leaf]);
+    const struct csg_box box = scene->leaves[leaf].box;
     const double radius = csg_length(csg_sub(box.hi, box.lo));
     const struct csg_leaf_extent extent = {box.lo, radius, radius,
                                            scene->leaves[leaf].shape.rounding};
@@ -117,7 +117,7 @@ static double reach_of(const struct csgcast_scene *scene, double rounding, uint3
 
 struct csg_box csg_remote_around(const struct csgcast_scene *scene, double rounding, uint32_t leaf)
 {
-    const struct csg_box own = csg_leaf_box(&scene->leaves[leaf]);
+    const struct csg_box own = scene->leaves[leaf].box;
     return csg_box_grown(&own, reach_of(scene, rounding, leaf));
 }
 
@@ -175,7 +175,7 @@ static bool plant(struct search *search)
     const size_t num = search->scene->num_leaves;
     struct csg_box *boxes = malloc((num + 1) * sizeof *boxes);
     for (size_t i = 0; boxes && i < num; i++)
-        boxes[i] = search->wanted[i] ? csg_leaf_box(&search->scene->leaves[i]) : csg_box_empty;
+        boxes[i] = search->wanted[i] ? search->scene->leaves[i].box : csg_box_empty;
     const bool ok = boxes && csg_box_tree_init(&search->tree, boxes, num);
     free(boxes);
     return ok;

@@ -133,7 +133,7 @@ static void outline_chunk(void *user, size_t chunk)
     for (size_t i = CHUNK * chunk; i < CHUNK * (chunk + 1) && i < scene->num_leaves; i++) {
         if (!survey->builder->wanted[i])
             continue;
-        const struct csg_box box = csg_leaf_box(&scene->leaves[i]);
+        const struct csg_box box = scene->leaves[i].box;
         if (csg_box_is_finite(&box))
             outline.box = csg_box_union(&outline.box, &box);
         outline.rounding = fmax(outline.rounding, scene->leaves[i].shape.rounding);

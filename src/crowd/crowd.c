@@ -10,6 +10,7 @@
 #include "crowd/kin.h"
 #include "crowd/tree_cast.h"
 #include "csg/object.h"
+#include "csg/prune.h"
 
 struct builder {
     const struct csgcast_scene *scene;

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "csg/prune.h"
+
 /* ---- what edits may ask for ---------------------------------------------------------------- */
 
 /* Met are those with a quadric or without and each number of planes. */

@@ -10,7 +10,7 @@
 
 struct csg_leaf {
     struct csg_shape shape; /* in world space */
-    struct csg_box box;     /* in world space; of csg_scene_finish, for csg_leaf_box */
+    struct csg_box box;     /* in world space; filled by csg_scene_finish */
     enum csg_kind kind;
     bool is_empty;         /* an edit left nothing of it: shape means nothing */
     bool is_hole;          /* taken away within its own node: its faces are not cut faces */

@@ -153,6 +153,14 @@ size_t csg_tree_count_leaves(const struct csg_tree *tree)
     return num;
 }
 
+size_t csg_tree_count_operands(const struct csg_tree *tree)
+{
+    size_t num = 0;
+    for (uint32_t i = csg_tree_first_operand(tree); i < tree->num; i = tree->data[i].end)
+        num++;
+    return num;
+}
+
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory)
 {
     CSG_ARRAY(uint32_t) ends = {0};

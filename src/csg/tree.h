@@ -92,6 +92,9 @@ static inline bool csg_node_is_same(const struct csg_node *a, uint32_t a_begin,
 
 size_t csg_tree_count_leaves(const struct csg_tree *tree);
 
+/* Of the outermost union. */
+size_t csg_tree_count_operands(const struct csg_tree *tree);
+
 /* Levels of Boolean nodes; 0 for one leaf. */
 size_t csg_tree_depth(const struct csg_tree *tree, bool *out_of_memory);
 

@@ -283,7 +283,7 @@ static void write_quadric(struct csg_text *text, const struct csg_shape *shape)
 static void write_bound(struct csg_text *text, const struct csg_leaf *leaf)
 {
     char lo[CSG_TEXT_VECTOR], hi[CSG_TEXT_VECTOR];
-    const struct csg_box box = csg_leaf_box(leaf);
+    const struct csg_box box = leaf->box;
     if (csg_box_is_empty(&box) || !csg_box_is_finite(&box))
         return;
     const struct csg_vec3 room = csg_scale(BOUND_ROOM, csg_sub(box.hi, box.lo));
@@ -309,7 +309,7 @@ static void write_surfaces(struct csg_text *text, const struct csg_leaf *leaf, c
 bool csg_pov_leaf(struct csg_text *text, const struct csg_leaf *leaf, const char *tail)
 {
     const struct csg_shape *shape = &leaf->shape;
-    const struct csg_box box = csg_leaf_box(leaf);
+    const struct csg_box box = leaf->box;
     struct csg_map from_canon;
     if (shape->surface)
         return csg_pov_triangles(text, shape, tail), true;

@@ -338,7 +338,7 @@ static void find_keys(struct builder *builder)
     struct csg_box box = csg_box_empty;
     double range[2];
     for (uint32_t i = 0; i < builder->stacks->list.data[builder->stack].num_rings; i++) {
-        const struct csg_box ring = csg_leaf_box(&scene->leaves[ring_of(builder, i)->outer]);
+        const struct csg_box ring = scene->leaves[ring_of(builder, i)->outer].box;
         box = csg_box_union(&box, &ring);
     }
     csg_depth_range(screen, &box, range);

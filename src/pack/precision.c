@@ -126,7 +126,7 @@ static double plane_error(const struct csg_screen *screen, const struct csg_plan
 static void judge_depths(const struct csg_screen *screen, const struct csgcast_scene *scene,
                          uint32_t leaf, struct csg_precision *precision)
 {
-    const struct csg_box box = csg_leaf_box(&scene->leaves[leaf]);
+    const struct csg_box box = scene->leaves[leaf].box;
     struct csg_map inverse = csg_map_identity;
     double range[2];
     bool flipped;

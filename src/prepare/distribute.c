@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "carrier/side.h"
+#include "csg/prune.h"
 #include "mesh/surface.h"
 
 /* Below this many operands one object in tiles is drawn as soon. */
@@ -104,7 +105,7 @@ static uint8_t side_of(const struct distributor *at, uint32_t leaf, const struct
 {
     if (!at->scene->leaves[leaf].shape.surface)
         return csg_side_of_leaf(at->scene, leaf, csg_side_is_box(at->scene, leaf), around);
-    const struct csg_box box = csg_leaf_box(&at->scene->leaves[leaf]);
+    const struct csg_box box = at->scene->leaves[leaf].box;
     const struct csg_box common = csg_box_intersection(&box, around);
     return csg_box_is_empty(&common) ? CSG_NOTHING : CSG_VARIES;
 }

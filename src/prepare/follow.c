@@ -9,6 +9,7 @@
 #include "cells/store.h"
 #include "common/order.h"
 #include "crowd/crowd.h"
+#include "csg/prune.h"
 #include "prepare/distribute.h"
 #include "prepare/follower.h"
 #include "prepare/framing.h"

@@ -5,6 +5,7 @@
 /* One operand of the outermost union by itself, as an edit has to look at it again. */
 
 #include "csg/object.h"
+#include "csg/prune.h"
 
 /* Memory for many. Zero-initialise it. */
 struct csg_operand {

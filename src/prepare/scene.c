@@ -11,6 +11,7 @@
 #include "crowd/crowd.h"
 #include "csg/object.h"
 #include "csg/program.h"
+#include "csg/prune.h"
 #include "csg/wholes.h"
 #include "mesh/surface.h"
 #include "prepare/distribute.h"
@@ -115,7 +116,7 @@ static bool fill_tree_info(struct csgcast_scene *scene)
     info->num_dropped += scene->num_leaves > num_drawn ? scene->num_leaves - num_drawn : 0;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
         const struct csg_tree *tree = &scene->trees[layer];
-        info->num_objects += csg_count_operands(tree);
+        info->num_objects += csg_tree_count_operands(tree);
         for (size_t i = 0; i < tree->num; i++)
             info->num_nodes += tree->data[i].op != CSG_LEAF;
     }

@@ -22,7 +22,7 @@ static double largest_rounding(const struct csgcast_scene *scene)
 
 static struct csg_box leaf_box(const struct csg_leaf *leaf, double rounding)
 {
-    const struct csg_box box = csg_leaf_box(leaf);
+    const struct csg_box box = leaf->box;
     double size = 0;
     if (csg_box_is_empty(&box))
         return box;

@@ -36,8 +36,8 @@ static double deviation(const struct csg_quadric *carrier, const struct csg_shap
 static void note_quadrics(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
                           const struct csg_round *a, const struct csg_round *b)
 {
-    const struct csg_box box = csg_leaf_box(&scene->leaves[a->leaf]);
-    const struct csg_box other = csg_leaf_box(&scene->leaves[b->leaf]);
+    const struct csg_box box = scene->leaves[a->leaf].box;
+    const struct csg_box other = scene->leaves[b->leaf].box;
     const double near = NEAR_BOXES * csg_length(csg_sub(box.hi, box.lo));
     if (!csg_box_is_finite(&box) || !csg_box_is_finite(&other) ||
         !(box_difference(&box, &other) < near))

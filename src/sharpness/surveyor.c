@@ -73,7 +73,7 @@ static void note_leaf(struct csg_sharpness *sharp, const struct csgcast_scene *s
     const struct csg_face face = scene->carriers->quadric_faces[leaf];
     struct csg_vec3 edges[3];
     box_edges(shape, edges);
-    const struct csg_box place = csg_leaf_box(&scene->leaves[leaf]);
+    const struct csg_box place = scene->leaves[leaf].box;
     const double thick = thickness(edges), noise = CSG_FINE_NOISE * largest(&place);
     if (thick > noise && !(mark & CSG_WALL_RING))
         csg_sharpness_note(sharp, CSG_FINE_THICKNESS, thick, leaf);
@@ -110,7 +110,7 @@ static bool add_leaf(struct csg_surveyor *surveyor, const struct csgcast_scene *
     if (carrier == CSG_NO_CARRIER)
         return true;
     const bool turned = carriers->quadric_faces[leaf].flipped != node->negated;
-    const double place = csg_leaf_box(&scene->leaves[leaf]).lo.x;
+    const double place = scene->leaves[leaf].box.lo.x;
     return csg_array_push(&surveyor->quadrics.all,
                           ((struct csg_round){carrier, leaf, turned, place}));
 }
