@@ -4,7 +4,7 @@
 
 /*
  * Crowds: objects of the model that are one convex, bounded, opaque solid each. However many there
- * are, each is one instance of a one-solid program (shaders/csg/single.glsl), and those that cannot
+ * are, each is one instance of a one-solid program (shaders/passes/single.frag.glsl), and those that cannot
  * be seen are left out by arithmetic over plain arrays (crowd/cull.h).
  */
 
