@@ -10,6 +10,7 @@
 
 struct csg_edited {
     size_t leaf;
+    size_t node; /* of the leaf, whose parameters change: the first that has a number */
     enum csg_cli_edit what;
     double matrix[16]; /* as in the file */
     double step;       /* scene units */

@@ -52,8 +52,10 @@ static bool fill(struct csg_plan *plan, const struct csgcast_scene *scene)
     plan->begin = malloc((objects->num + 1) * sizeof *plan->begin);
     if (!plan->begin || !add_objects(plan, scene) || !csg_plan_count_structures(plan, scene))
         return false;
-    for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++)
+    for (size_t i = 0; i < scene->num_leaves && scene->keeps_structure; i++) {
         plan->has_rings |= scene->leaves[i].kind == CSG_KIND_ROTATE_EXTRUDE;
+        plan->has_compounds |= scene->leaves[i].kind >= CSG_NUM_KINDS;
+    }
     met_leaves met = {{false}};
     for (size_t i = 0; i < objects->num && scene->keeps_structure; i++)
         list_lefts(plan, scene, met, &objects->data[i]);

@@ -56,7 +56,8 @@ struct csg_plan {
     size_t num_lefts;
     uint8_t *structures; /* per object, see csg/structure.h */
     bool is_common[CSG_PLAN_MAX_STRUCTURES];
-    bool has_rings; /* ... and whether some leaf may be part of a stack */
+    bool has_rings;     /* ... and whether some leaf may be part of a stack, */
+    bool has_compounds; /* ... some become a surface of triangles */
 };
 
 /* NULL: out of memory. */

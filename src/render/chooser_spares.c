@@ -83,7 +83,8 @@ static bool prepare_left(struct csg_chooser *chooser, uint32_t leaf)
 
 static int all_features(const struct csgcast_scene *scene)
 {
-    return CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | (scene->has_surfaces ? CSG_FEATURE_SURFACE : 0) |
+    return CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP |
+           (scene->plan->has_compounds ? CSG_FEATURE_SURFACE : 0) |
            (scene->plan->has_rings ? CSG_FEATURE_BANDS : 0);
 }
 

@@ -5,6 +5,7 @@
 
 #include "scene/clip.h"
 #include "scene/import.h"
+#include "scene/origin.h"
 #include "scene/repeats.h"
 #include "scene/text.h"
 
@@ -29,8 +30,8 @@ struct tree_builder {
     const struct csg_builder *builder;
     struct csg_tree *tree;
     CSG_ARRAY(struct open) open;
-    uint32_t whole; /* the render() node of the last leaf that was in one */
-    bool is_copy;   /* the layer of # */
+    enum csg_layer layer; /* that of # is a copy */
+    uint32_t whole;       /* the render() node of the last leaf that was in one */
 };
 
 static bool push_node(struct tree_builder *build, enum csg_op op, bool negated, uint32_t leaf)
@@ -51,7 +52,7 @@ static bool note_whole(struct tree_builder *build, uint32_t leaf, bool negated)
 {
     struct csgcast_scene *scene = build->builder->scene;
     const struct open *open = innermost(build);
-    if (!open || !open->is_whole || build->is_copy)
+    if (!open || !open->is_whole || build->layer == CSG_LAYER_HIGHLIGHT)
         return true;
     scene->leaves[leaf].is_hole = negated != open->whole_negated;
     if (build->whole != open->whole || scene->wholes.num == 0) {
@@ -69,6 +70,15 @@ static bool push_leaf(struct tree_builder *build, uint32_t leaf, bool negated)
     if (leaf != CSG_NO_LEAF)
         return note_whole(build, leaf, negated) && push_node(build, CSG_LEAF, negated, leaf);
     return push_node(build, negated ? CSG_AND : CSG_OR, false, 0);
+}
+
+/* Notes where the part of a node comes to stand, for edits. */
+static bool note_part(struct tree_builder *build, uint32_t node, bool negated)
+{
+    struct csg_origins *origins = build->builder->origins;
+    const struct csg_part_place place = {node, (uint32_t)build->tree->num, (uint8_t)build->layer,
+                                         negated};
+    return !origins || csg_array_push(&origins->places, place);
 }
 
 /* Copies the tree of a compound: complemented, unions and intersections change places. */
@@ -148,7 +158,8 @@ static bool add_subtree(struct tree_builder *build, uint32_t root)
             done = open_node(build, i, take_operand(build));
             i++;
         } else if (csg_is_compound(meaning) && meaning->leaf != CSG_NO_LEAF) {
-            done = push_part(build, meaning->leaf, take_operand(build));
+            const bool negated = take_operand(build);
+            done = note_part(build, i, negated) && push_part(build, meaning->leaf, negated);
             i = nodes[i].end;
         } else {
             done = push_leaf(build, meaning->leaf, take_operand(build));
@@ -221,10 +232,8 @@ static bool add_roots(struct tree_builder *build, const struct layer_rule *rule)
 static bool build_layer(const struct csg_builder *builder, const struct layer_rule *rule)
 {
     struct csg_tree *tree = &builder->scene->trees[rule->layer];
-    struct tree_builder build = {.builder = builder,
-                                 .tree = tree,
-                                 .whole = UINT32_MAX,
-                                 .is_copy = rule->layer == CSG_LAYER_HIGHLIGHT};
+    struct tree_builder build = {
+        .builder = builder, .tree = tree, .layer = rule->layer, .whole = UINT32_MAX};
     bool done = push_node(&build, CSG_OR, false, 0) && add_roots(&build, rule);
     free(build.open.data);
     if (!done)
@@ -236,8 +245,8 @@ static bool build_layer(const struct csg_builder *builder, const struct layer_ru
 }
 
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, struct csg_origins *origins,
-               struct csg_handoff *handoff, struct csg_report *report)
+               const struct csgcast_scene_params *params, const struct csg_space *space,
+               struct csg_origins *origins, struct csg_handoff *handoff, struct csg_report *report)
 {
     struct csg_builder builder = {.document = document,
                                   .params = params,
@@ -247,6 +256,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                                   .clip.is_wanted = params->facets == CSGCAST_FACETS_AS_WRITTEN,
                                   .skip_unsupported = params->skip_unsupported,
                                   .origins = origins,
+                                  .space = space,
                                   .handoff = handoff,
                                   .num_threads = params->num_threads,
                                   .directory = params->directory ? params->directory : "."};

@@ -74,12 +74,13 @@ struct csg_builder {
     struct csgcast_scene *scene;
     enum csgcast_facets facets;
     bool skip_unsupported;
-    struct csg_handoff *handoff;  /* NULL: what is not native is not supported */
-    const char *directory;        /* where relative file names in the text start; "." at least */
-    int num_threads;              /* that read it, see csg_parallel */
-    uint32_t begin, end;          /* the nodes that count: all, or those of the ! node */
-    struct csg_meaning *meanings; /* one for each node of the document */
-    struct csg_origins *origins;  /* gets where the leaves come from; NULL: not wanted */
+    struct csg_handoff *handoff;   /* NULL: what is not native is not supported */
+    const char *directory;         /* where relative file names in the text start; "." at least */
+    int num_threads;               /* that read it, see csg_parallel */
+    uint32_t begin, end;           /* the nodes that count: all, or those of the ! node */
+    struct csg_meaning *meanings;  /* one for each node of the document */
+    struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
+    const struct csg_space *space; /* around all nodes; NULL: the world */
     struct csg_text_state text;
     struct csg_clip_state clip;
     struct csg_xml_state xml;
@@ -92,12 +93,12 @@ struct csg_handoff;
 /*
  * Fills scene's leaves and trees; the trees are not simplified. What handoff is asked for is left
  * out: the scene is then to be built again. All errors are reported; what is wrong is then left out
- * of the scene. origins gets where the leaves come from; NULL: not wanted. false, with a message,
- * when memory is out.
+ * of the scene. origins gets where the leaves come from; NULL: not wanted. space is around all
+ * nodes; NULL: the world. false, with a message, when memory is out.
  */
 bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, struct csg_origins *origins,
-               struct csg_handoff *handoff, struct csg_report *report);
+               const struct csgcast_scene_params *params, const struct csg_space *space,
+               struct csg_origins *origins, struct csg_handoff *handoff, struct csg_report *report);
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);

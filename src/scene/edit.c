@@ -8,12 +8,22 @@
 #include "csg/wholes.h"
 #include "prepare/follow.h"
 #include "prepare/framing.h"
-#include "scene/edits.h"
+#include "scene/parameters.h"
+#include "scene/reading.h"
+
+/* Arguments of a node, as they were. */
+struct old_text {
+    uint32_t node;
+    char *arguments;
+};
 
 /* The changes of one call. */
 struct session {
     struct csgcast_scene *scene;
     CSG_ARRAY(struct csg_patch) patches;
+    CSG_ARRAY(struct old_text) old_texts;
+    CSG_ARRAY(uint32_t) compounds;          /* first leaves of nodes that are read anew */
+    CSG_ARRAY(struct csg_reading) readings; /* of those that get another tree */
     bool moves;    /* some edit changes more than a colour that lets nothing through */
     bool regroups; /* a node of several solids becomes translucent, or opaque again */
 };
@@ -39,22 +49,58 @@ static void copy_matrix(const struct csg_map *map, double matrix[16])
     memcpy(matrix + 12, last, sizeof last);
 }
 
+/* Nodes that the leaf's node was read with: a solid has none in it. */
+static uint32_t count_nodes(const struct csgcast_scene *scene, const struct csg_origin *origin)
+{
+    const struct csg_parsed_node *nodes = scene->edits->texts.document.nodes.data;
+    return origin->is_compound ? nodes[origin->node].end - origin->node : 1;
+}
+
 bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t index, struct csgcast_leaf *info)
 {
     if (!scene || !has_leaf(scene, index) || !csg_edits_of(scene))
         return false;
     const struct csg_leaf *leaf = &scene->leaves[index];
     const struct csg_origin *origin = &scene->edits->origins.data[index];
-    *info = (struct csgcast_leaf){.kind = csg_kind_name(leaf->kind),
-                                  .line = leaf->line,
-                                  .column = leaf->column,
-                                  .first = origin->first,
-                                  .num = origin->num,
-                                  .empty = leaf->is_empty,
-                                  .parameters = origin->parameters ? origin->parameters : ""};
+    *info =
+        (struct csgcast_leaf){.kind = csg_kind_name(leaf->kind),
+                              .line = leaf->line,
+                              .column = leaf->column,
+                              .first = origin->first,
+                              .num = origin->num,
+                              .num_nodes = count_nodes(scene, origin),
+                              .empty = leaf->is_empty,
+                              .parameters = csg_node_texts_get(&scene->edits->texts, origin->node)};
     copy_matrix(&origin->space.map, info->matrix);
     memcpy(info->color, leaf->color, sizeof info->color);
-    return true;
+    return info->parameters || csg_log_memory(&scene->log);
+}
+
+static bool has_node(const struct csgcast_scene *scene, size_t leaf, size_t node)
+{
+    const size_t num = count_nodes(scene, &scene->edits->origins.data[leaf]);
+    if (node < num)
+        return true;
+    csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT, "%s: leaf %zu has no node %zu of %zu",
+                  scene->name, leaf, node, num);
+    return false;
+}
+
+bool csgcast_scene_get_node(struct csgcast_scene *scene, size_t leaf, size_t index,
+                            struct csgcast_node *info)
+{
+    if (!scene || !has_leaf(scene, leaf) || !csg_edits_of(scene) || !has_node(scene, leaf, index))
+        return false;
+    struct csg_node_texts *texts = &scene->edits->texts;
+    const struct csg_origin *origin = &scene->edits->origins.data[leaf];
+    const uint32_t node = origin->node + (uint32_t)index;
+    const struct csg_parsed_node *parsed = &texts->document.nodes.data[node];
+    *info = (struct csgcast_node){.name = csg_node_texts_name(texts, node),
+                                  .line = parsed->place.line,
+                                  .column = parsed->place.column,
+                                  .num = origin->is_compound ? parsed->end - node : 1,
+                                  .parameters = csg_node_texts_get(texts, node)};
+    return info->parameters || csg_log_memory(&scene->log);
 }
 
 /* ---- what an edit may say ------------------------------------------------------------------ */
@@ -110,14 +156,15 @@ static struct csg_patch *patch_of(struct session *session, uint32_t leaf)
     return &session->patches.data[*place - 1];
 }
 
-static bool add_to_leaf(struct session *session, const struct csgcast_edit *edit, uint32_t leaf)
+static bool add_matrix(struct session *session, const double *matrix, uint32_t begin, uint32_t end)
 {
-    struct csg_patch *patch = patch_of(session, leaf);
-    if (!patch)
-        return false;
-    if (edit->matrix)
-        csg_patch_set_matrix(patch, edit->matrix);
-    return !edit->parameters || csg_patch_set_parameters(patch, session->scene, edit->parameters);
+    for (uint32_t i = begin; i < end; i++) {
+        struct csg_patch *patch = patch_of(session, i);
+        if (!patch)
+            return false;
+        csg_patch_set_matrix(patch, matrix);
+    }
+    return true;
 }
 
 static bool add_color(struct session *session, const float *color, uint32_t begin, uint32_t end)
@@ -131,6 +178,124 @@ static bool add_color(struct session *session, const float *color, uint32_t begi
     return true;
 }
 
+/* ---- parameters ---------------------------------------------------------------------------- */
+
+/* What # and % show of what is in a node is read with the node and once more by itself. */
+static bool check_node(const struct session *session, const struct csgcast_edit *edit)
+{
+    const struct csgcast_scene *scene = session->scene;
+    const struct csg_origin *origins = scene->edits->origins.data, *origin = &origins[edit->leaf];
+    const size_t behind = (size_t)origin->first + origin->num;
+    const uint32_t end = origin->node + count_nodes(scene, origin);
+    if (!has_node(scene, edit->leaf, edit->node))
+        return false;
+    if (origin->is_inside ||
+        (edit->node > 0 && behind < scene->num_leaves && origins[behind].node < end))
+        return wrong(session, edit->leaf,
+                     "# or % shows part of what is in this node by itself: parameters of that "
+                     "cannot be set; load the changed text instead");
+    return true;
+}
+
+/* The text gets the node's new arguments. */
+static bool set_text(struct session *session, uint32_t node, const char *arguments)
+{
+    char **text = &session->scene->edits->texts.arguments[node];
+    const struct old_text old = {node, *text};
+    const size_t size = strlen(arguments) + 1;
+    char *copy = malloc(size);
+    if (!copy || !csg_array_push(&session->old_texts, old)) {
+        free(copy);
+        return csg_log_memory(&session->scene->log);
+    }
+    memcpy(copy, arguments, size);
+    *text = copy;
+    return true;
+}
+
+/* Those that are not the scene's in the end. */
+static void finish_texts(struct session *session, bool ok)
+{
+    for (size_t i = session->old_texts.num; i-- > 0;) {
+        struct old_text *old = &session->old_texts.data[i];
+        char **text = &session->scene->edits->texts.arguments[old->node];
+        if (!ok) {
+            char *arguments = *text;
+            *text = old->arguments;
+            old->arguments = arguments;
+        }
+        free(old->arguments);
+    }
+    free(session->old_texts.data);
+}
+
+/* Whether the arguments of a node that becomes a part are well formed. */
+static bool check_parameters(const struct session *session, const struct csgcast_edit *edit,
+                             uint32_t node)
+{
+    struct csg_parameters parameters;
+    const bool ok = csg_parameters_read(&parameters, session->scene, (uint32_t)edit->leaf,
+                                        csg_node_texts_name(&session->scene->edits->texts, node),
+                                        edit->parameters);
+    return csg_parameters_finish(&parameters) && ok;
+}
+
+static bool add_compound(struct session *session, uint32_t first)
+{
+    for (size_t i = 0; i < session->compounds.num; i++)
+        if (session->compounds.data[i] == first)
+            return true;
+    return csg_array_push(&session->compounds, first) || csg_log_memory(&session->scene->log);
+}
+
+static bool add_parameters(struct session *session, const struct csgcast_edit *edit)
+{
+    if (!check_node(session, edit))
+        return false;
+    const struct csg_origin *origin = &session->scene->edits->origins.data[edit->leaf];
+    const uint32_t node = origin->node + (uint32_t)edit->node;
+    if (origin->is_compound)
+        return check_parameters(session, edit, node) && set_text(session, node, edit->parameters) &&
+               add_compound(session, origin->first);
+    struct csg_patch *patch = patch_of(session, (uint32_t)edit->leaf);
+    return patch && csg_patch_set_parameters(patch, session->scene, edit->parameters) &&
+           set_text(session, node, edit->parameters);
+}
+
+/* The shapes of a node that has the tree that it had, or of which nothing is left. */
+static bool put_shapes(struct session *session, struct csg_reading *reading)
+{
+    for (uint32_t i = 0; i < reading->num_before; i++) {
+        struct csg_patch *patch = patch_of(session, reading->first + i);
+        if (!patch)
+            return false;
+        if (reading->num > 0)
+            csg_patch_set_shape(patch, reading->scene->leaves[i].kind,
+                                &reading->origins.data[i].shape);
+        else
+            patch->origin.is_nothing = true;
+    }
+    return true;
+}
+
+/* Once all changes of what is in it are known. */
+static bool read_compound(struct session *session, uint32_t first)
+{
+    struct csg_reading reading;
+    const struct csg_patch *patch = patch_of(session, first);
+    bool ok = patch && csg_reading_init(&reading, session->scene, patch);
+    if (ok && !reading.is_alike && csg_array_push(&session->readings, reading))
+        return true;
+    if (ok)
+        ok =
+            reading.is_alike ? put_shapes(session, &reading) : csg_log_memory(&session->scene->log);
+    if (patch)
+        csg_reading_finish(&reading);
+    return ok;
+}
+
+/* ---- edits --------------------------------------------------------------------------------- */
+
 /* An edit of one of a node's leaves is one of all of them; what is in a render() has one colour. */
 static bool add_edit(struct session *session, const struct csgcast_edit *edit)
 {
@@ -140,11 +305,10 @@ static bool add_edit(struct session *session, const struct csgcast_edit *edit)
     const struct csg_whole *whole = csg_find_whole(session->scene, (uint32_t)edit->leaf);
     const uint32_t first = (uint32_t)origin->first, end = first + (uint32_t)origin->num;
     session->moves |= edit->matrix || edit->parameters;
-    for (uint32_t i = first; i < end; i++)
-        if (!add_to_leaf(session, edit, i))
-            return false;
-    return !edit->color ||
-           add_color(session, edit->color, whole ? whole->begin : first, whole ? whole->end : end);
+    return (!edit->matrix || add_matrix(session, edit->matrix, first, end)) &&
+           (!edit->parameters || add_parameters(session, edit)) &&
+           (!edit->color || add_color(session, edit->color, whole ? whole->begin : first,
+                                      whole ? whole->end : end));
 }
 
 static void swap_all(struct session *session)
@@ -182,6 +346,13 @@ static bool refinish(struct session *session, const uint32_t *leaves)
     return ok;
 }
 
+static bool follow(struct session *session, const uint32_t *leaves)
+{
+    return session->readings.num > 0
+               ? csg_edits_regrow(session->scene, session->readings.data, session->readings.num)
+               : refinish(session, leaves);
+}
+
 /* Puts the patches of these leaves in. false, with nothing changed, when memory is out. */
 static bool put_in(struct session *session, const uint32_t *leaves)
 {
@@ -189,7 +360,7 @@ static bool put_in(struct session *session, const uint32_t *leaves)
         if (!csg_patch_place(&session->patches.data[i]))
             return csg_log_memory(&session->scene->log);
     swap_all(session);
-    if (session->moves && !refinish(session, leaves)) {
+    if (session->moves && !follow(session, leaves)) {
         swap_all(session);
         return false;
     }
@@ -213,6 +384,23 @@ static bool commit(struct session *session)
     return ok;
 }
 
+static void finish(struct session *session, bool ok)
+{
+    struct csgcast_scene *scene = session->scene;
+    for (size_t i = 0; i < session->patches.num; i++) {
+        const uint32_t leaf = session->patches.data[i].index;
+        if (leaf < scene->num_leaves) /* there may be fewer now */
+            scene->edits->patches[leaf] = 0;
+        csg_patch_finish(&session->patches.data[i]);
+    }
+    for (size_t i = 0; i < session->readings.num; i++)
+        csg_reading_finish(&session->readings.data[i]);
+    finish_texts(session, ok);
+    free(session->readings.data);
+    free(session->compounds.data);
+    free(session->patches.data);
+}
+
 bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *edits,
                         size_t num_edits)
 {
@@ -224,12 +412,10 @@ bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *
     bool ok = scene && csg_edits_of(scene);
     for (size_t i = 0; i < num_edits && ok; i++)
         ok = add_edit(&session, &edits[i]);
+    for (size_t i = 0; i < session.compounds.num && ok; i++)
+        ok = read_compound(&session, session.compounds.data[i]);
     ok = ok && commit(&session);
-    for (size_t i = 0; i < session.patches.num; i++) {
-        scene->edits->patches[session.patches.data[i].index] = 0;
-        csg_patch_finish(&session.patches.data[i]);
-    }
-    free(session.patches.data);
+    finish(&session, ok);
     return ok;
 }
 

@@ -15,19 +15,23 @@ void csg_edits_destroy(struct csg_edits *edits)
     if (!edits)
         return;
     csg_origins_finish(&edits->origins);
-    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++)
+    csg_node_texts_finish(&edits->texts);
+    for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
+        free(edits->whole[layer].data);
         free(edits->trees[layer].data);
+    }
     free(edits->patches);
     free(edits);
 }
 
-/* The trees as the text has them change hands, without what no edit brings back. */
+/* The trees as the text has them change hands; copies are without what no edit brings back. */
 static bool take_trees(struct csg_edits *edits, struct csgcast_scene *raw)
 {
     bool ok = true;
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
-        ok = ok && csg_tree_simplify(&raw->trees[layer], NULL);
-        edits->trees[layer] = raw->trees[layer];
+        ok = ok && csg_tree_copy(&raw->trees[layer], &edits->trees[layer]) &&
+             csg_tree_simplify(&edits->trees[layer], NULL);
+        edits->whole[layer] = raw->trees[layer];
         raw->trees[layer] = (struct csg_tree){0};
     }
     edits->num_dropped = raw->info.num_dropped;
@@ -47,10 +51,14 @@ struct csg_edits *csg_edits_of(struct csgcast_scene *scene)
     }
     struct csg_edits *edits = calloc(1, sizeof *edits);
     uint32_t *patches = calloc(scene->num_leaves + 1, sizeof *patches);
-    struct csgcast_scene *raw = edits && patches ? csg_scene_reread(scene, &edits->origins) : NULL;
-    if (!raw || raw->num_leaves != scene->num_leaves || !take_trees(edits, raw)) {
+    struct csg_document document = {0};
+    struct csgcast_scene *raw =
+        edits && patches ? csg_scene_reread(scene, &edits->origins, &document) : NULL;
+    if (!raw || raw->num_leaves != scene->num_leaves || !take_trees(edits, raw) ||
+        !csg_node_texts_init(&edits->texts, &document)) {
         csg_log_memory(&scene->log);
         free(patches);
+        csg_document_finish(&document);
         csg_edits_destroy(edits);
         csgcast_scene_destroy(raw);
         return NULL;
@@ -69,7 +77,7 @@ static bool copy_trees(struct csgcast_scene *scene, const struct csg_edits *edit
     return true;
 }
 
-static bool remake(struct csgcast_scene *scene, const struct csg_before *before)
+bool csg_edits_remake(struct csgcast_scene *scene, const struct csg_before *before)
 {
     struct csgcast_scene next = *scene;
     next.follower = NULL;
@@ -88,7 +96,8 @@ static bool remake(struct csgcast_scene *scene, const struct csg_before *before)
         csg_scene_drop_derived(&next);
         return csg_log_memory(&scene->log);
     }
-    csg_cells_store_inherit(next.cells, scene->cells);
+    if (before)
+        csg_cells_store_inherit(next.cells, scene->cells);
     csg_scene_drop_derived(scene);
     *scene = next;
     scene->info.kinds = scene->kinds;
@@ -106,7 +115,7 @@ bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *con
                                       .trees = scene->edits->trees};
     const double start = csg_clock_ms();
     if (regroups || !csg_follow(scene, &before))
-        return remake(scene, &before);
+        return csg_edits_remake(scene, &before);
     scene->csg_ms = csg_clock_ms() - start;
     return true;
 }

@@ -2,11 +2,16 @@
 #ifndef CSG_SCENE_EDITS_H
 #define CSG_SCENE_EDITS_H
 
+#include "scene/node_texts.h"
 #include "scene/origin.h"
+
+struct csg_before;
 
 /* What a scene has besides once it is edited. */
 struct csg_edits {
     struct csg_origins origins;
+    struct csg_node_texts texts;
+    struct csg_tree whole[CSG_NUM_LAYERS]; /* as the text has them */
     struct csg_tree trees[CSG_NUM_LAYERS]; /* simplified, but for what boxes show */
     size_t num_dropped;                    /* solids of the text that have no leaf */
     uint32_t *patches; /* by leaf: its place + 1 among the patches of the call at hand, or 0 */
@@ -23,6 +28,9 @@ void csg_edits_destroy(struct csg_edits *edits);
 bool csg_edits_refinish(struct csgcast_scene *scene, const struct csg_shape *const *shapes,
                         const uint32_t *leaves, size_t num, bool regroups);
 
+/* The same from nothing but leaves, trees and render() nodes, or what is left of them before. */
+bool csg_edits_remake(struct csgcast_scene *scene, const struct csg_before *before);
+
 /* A leaf as an edit will make it, by and by the leaf as it was. */
 struct csg_patch {
     uint32_t index;
@@ -38,9 +46,13 @@ void csg_patch_finish(struct csg_patch *patch);
 void csg_patch_set_color(struct csg_patch *patch, const float color[4]);
 void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16]);
 
-/* Takes the node's arguments from text. false, with a message: they are wrong, or no memory. */
+/* Takes the arguments of a node that is one solid from text. false, with a message: they are wrong,
+ * or no memory. */
 bool csg_patch_set_parameters(struct csg_patch *patch, const struct csgcast_scene *scene,
                               const char *text);
+
+/* Takes the shape over, in the node's own space. */
+void csg_patch_set_shape(struct csg_patch *patch, enum csg_kind kind, struct csg_shape *shape);
 
 /* Makes the leaf from its origin. false: no memory. */
 bool csg_patch_place(struct csg_patch *patch);

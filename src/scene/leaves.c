@@ -19,7 +19,8 @@ struct frame {
 struct walk {
     struct csg_walk base;
     struct csg_builder *builder;
-    CSG_ARRAY(struct frame) frames; /* the first is the world */
+    CSG_ARRAY(struct frame) frames; /* the first is around all nodes */
+    uint32_t compound_end;          /* of the last compound's subtree */
 };
 
 /* ---- solids ------------------------------------------------------------------------------- */
@@ -47,28 +48,6 @@ static bool add_leaf(struct walk *walk, const struct csg_leaf *leaf)
 
 /* ---- where leaves come from, for edits ------------------------------------------------------ */
 
-/* What stands between the parentheses of a node, in a new string. NULL: out of memory. */
-static char *copy_parameters(const struct walk *walk, uint32_t node)
-{
-    const struct csg_document *document = walk->builder->document;
-    const struct csg_parsed_node *parsed = csg_walk_node(&walk->base, node);
-    struct csg_lexer lexer;
-    struct csg_token token;
-    csg_lexer_init(&lexer, document->text, document->size, parsed->at, parsed->place);
-    csg_lexer_next(&lexer, &token);
-    csg_lexer_next(&lexer, &token);
-    const char *begin = token.begin + 1;
-    while (token.type != CSG_TOKEN_END && !csg_token_is(&token, ')'))
-        csg_lexer_next(&lexer, &token);
-    const size_t length = (size_t)(token.begin - begin);
-    char *copy = malloc(length + 1);
-    if (copy) {
-        memcpy(copy, begin, length);
-        copy[length] = 0;
-    }
-    return copy;
-}
-
 static bool keep_origin(struct walk *walk, const struct csg_shape *own,
                         const struct csg_space *space)
 {
@@ -78,18 +57,17 @@ static bool keep_origin(struct walk *walk, const struct csg_shape *own,
 }
 
 /* The leaves from first on are all of one node. */
-static bool finish_origins(struct walk *walk, uint32_t node, uint32_t first)
+static void finish_origins(struct walk *walk, uint32_t node, uint32_t first)
 {
     struct csg_origins *origins = walk->builder->origins;
     const uint32_t num = origins ? (uint32_t)origins->num - first : 0;
     for (uint32_t i = first; i < first + num; i++) {
         origins->data[i].first = first;
         origins->data[i].num = num;
+        origins->data[i].node = node;
+        origins->data[i].is_compound = csg_is_compound(&walk->builder->meanings[node]);
+        origins->data[i].is_inside = node < walk->compound_end;
     }
-    if (num != 1 || walk->builder->meanings[node].role != CSG_ROLE_SOLID)
-        return true;
-    origins->data[first].parameters = copy_parameters(walk, node);
-    return origins->data[first].parameters || csg_log_memory(&walk->builder->report->log);
 }
 
 /* ---- single solids ------------------------------------------------------------------------- */
@@ -128,8 +106,10 @@ static bool read_solid(struct walk *walk, uint32_t node, const struct csg_space 
         const uint32_t index = (uint32_t)walk->builder->scene->num_leaves;
         csg_leaf_set_color(&leaf, space->color);
         walk->builder->meanings[node].leaf = index;
-        if (add_leaf(walk, &leaf))
-            return finish_origins(walk, node, index);
+        if (add_leaf(walk, &leaf)) {
+            finish_origins(walk, node, index);
+            return true;
+        }
         failed = true;
     }
     csg_shape_finish(&leaf.shape);
@@ -227,8 +207,9 @@ static bool add_part(struct walk *walk, uint32_t node, const struct csg_space *s
         return csg_log_memory(&walk->builder->report->log);
     const uint32_t first = (uint32_t)walk->builder->scene->num_leaves;
     frame_together(part);
-    const bool done = add_shapes(walk, node, space, part, index) &&
-                      add_tree(walk, node, part, index) && finish_origins(walk, node, first);
+    const bool done =
+        add_shapes(walk, node, space, part, index) && add_tree(walk, node, part, index);
+    finish_origins(walk, node, first);
     free(index);
     return done;
 }
@@ -258,6 +239,8 @@ static bool read_compound(struct walk *walk, uint32_t node, const struct csg_spa
     else if (done)
         done = add_part(walk, node, space, &part);
     csg_part_finish(&part);
+    if (csg_walk_node(&walk->base, node)->end > walk->compound_end)
+        walk->compound_end = csg_walk_node(&walk->base, node)->end;
     return done;
 }
 
@@ -324,9 +307,9 @@ static bool is_passed_by(const struct csg_builder *builder, uint32_t node, uint3
 bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t end)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
-    const struct frame world = {UINT32_MAX, csg_space_world};
+    const struct frame around = {UINT32_MAX, builder->space ? *builder->space : csg_space_world};
     struct walk walk = {.base = {.builder = builder}, .builder = builder};
-    bool done = csg_array_push(&walk.frames, world) || csg_log_memory(&builder->report->log);
+    bool done = csg_array_push(&walk.frames, around) || csg_log_memory(&builder->report->log);
     for (uint32_t i = builder->begin; done && i < end;) {
         if (is_passed_by(builder, i, begin)) {
             i = nodes[i].end;

@@ -20,14 +20,21 @@ static const struct csgcast_scene_params default_params;
 /* Subtrees handed to openscad may turn out to be in others that need it as well. */
 enum { max_rounds = 16 };
 
+/* What a scene is made of, and with what. */
+struct reading {
+    const struct csg_document *document;
+    const struct csgcast_scene_params *params;
+    const struct csg_space *space; /* around all nodes; NULL: the world */
+    struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
+    struct csg_report *report;
+};
+
 /* One scene from the nodes. NULL: memory is out, a message was given. */
-static struct csgcast_scene *build(const struct csg_document *document,
-                                   const struct csgcast_scene_params *params,
-                                   struct csg_origins *origins, struct csg_handoff *handoff,
-                                   struct csg_report *report)
+static struct csgcast_scene *build(const struct reading *reading, struct csg_handoff *handoff)
 {
-    struct csgcast_scene *scene = csg_scene_create(&report->to, report->file);
-    if (scene && csg_build(scene, document, params, origins, handoff, report))
+    struct csgcast_scene *scene = csg_scene_create(&reading->report->to, reading->report->file);
+    if (scene && csg_build(scene, reading->document, reading->params, reading->space,
+                           reading->origins, handoff, reading->report))
         return scene;
     csgcast_scene_destroy(scene);
     return NULL;
@@ -40,53 +47,66 @@ static struct csgcast_scene *fail(struct csgcast_scene *scene)
 }
 
 /* Builds until nothing more is wanted from openscad; what earlier rounds said no longer holds. */
-static struct csgcast_scene *build_all(const struct csg_document *document,
-                                       const struct csgcast_scene_params *params,
-                                       struct csg_origins *origins, struct csg_handoff *handoff,
-                                       struct csg_report *report)
+static struct csgcast_scene *build_all(const struct reading *reading, struct csg_handoff *handoff)
 {
+    struct csg_report *report = reading->report;
     for (int round = 0;; round++) {
         csg_report_hold(report);
-        struct csgcast_scene *scene =
-            build(document, params, origins, round < max_rounds ? handoff : NULL, report);
+        struct csgcast_scene *scene = build(reading, round < max_rounds ? handoff : NULL);
         if (!scene || report->num[CSGCAST_LOG_ERROR] > 0 || !csg_handoff_is_wanted(handoff)) {
             csg_report_release(report);
             return scene && csg_handoff_note(handoff, scene) ? scene : fail(scene);
         }
         csg_report_drop(report);
         csgcast_scene_destroy(scene);
-        if (origins)
-            csg_origins_finish(origins);
+        if (reading->origins)
+            csg_origins_finish(reading->origins);
         if (!csg_handoff_run(handoff, report))
             return NULL;
     }
 }
 
-static struct csgcast_scene *read_document(const char *text, size_t size,
+static struct csgcast_scene *read_nodes(const struct reading *reading)
+{
+    struct csg_handoff handoff;
+    csg_handoff_init(&handoff, reading->params, reading->document);
+    struct csgcast_scene *scene = build_all(reading, &handoff);
+    csg_handoff_finish(&handoff);
+    return scene;
+}
+
+struct csgcast_scene *csg_scene_read_nodes(const struct csg_document *document,
                                            const struct csgcast_scene_params *params,
+                                           const struct csg_space *space,
                                            struct csg_origins *origins, struct csg_report *report)
 {
-    struct csg_document document = {0};
-    struct csg_handoff handoff;
+    const struct reading reading = {document, params, space, origins, report};
+    return read_nodes(&reading);
+}
+
+/* document is finished by the caller. */
+static struct csgcast_scene *read_document(const char *text, size_t size,
+                                           const struct csgcast_scene_params *params,
+                                           struct csg_origins *origins,
+                                           struct csg_document *document, struct csg_report *report)
+{
+    const struct reading reading = {document, params, NULL, origins, report};
     struct csgcast_scene *scene = NULL;
-    csg_handoff_init(&handoff, params, &document);
-    if (csg_document_parse(&document, size > 0 ? text : "", size, params->num_threads, report))
-        scene = build_all(&document, params, origins, &handoff, report);
+    if (csg_document_parse(document, size > 0 ? text : "", size, params->num_threads, report))
+        scene = read_nodes(&reading);
     if (scene)
-        scene->info.num_rounded = document.num_rounded;
-    csg_handoff_finish(&handoff);
-    csg_document_finish(&document);
+        scene->info.num_rounded = document->num_rounded;
     return scene;
 }
 
 static struct csgcast_scene *read_text(const char *text, size_t size,
                                        const struct csgcast_scene_params *params,
-                                       struct csg_origins *origins)
+                                       struct csg_origins *origins, struct csg_document *document)
 {
     const struct csg_log log = {params->log, params->log_user};
     struct csg_report report;
     csg_report_init(&report, &log, params->name ? params->name : "<memory>");
-    struct csgcast_scene *scene = read_document(text, size, params, origins, &report);
+    struct csgcast_scene *scene = read_document(text, size, params, origins, document, &report);
     if (csg_report_finish(&report))
         return scene;
     csgcast_scene_destroy(scene);
@@ -96,7 +116,11 @@ static struct csgcast_scene *read_text(const char *text, size_t size,
 struct csgcast_scene *csg_scene_read(const char *text, size_t size,
                                      const struct csgcast_scene_params *params)
 {
-    return read_text(text, size, params ? params : &default_params, NULL);
+    struct csg_document document = {0};
+    struct csgcast_scene *scene =
+        read_text(text, size, params ? params : &default_params, NULL, &document);
+    csg_document_finish(&document);
+    return scene;
 }
 
 static void say_nothing(void *user, enum csgcast_log_level level, enum csgcast_message id,
@@ -106,11 +130,11 @@ static void say_nothing(void *user, enum csgcast_log_level level, enum csgcast_m
 }
 
 struct csgcast_scene *csg_scene_reread(const struct csgcast_scene *scene,
-                                       struct csg_origins *origins)
+                                       struct csg_origins *origins, struct csg_document *document)
 {
     struct csgcast_scene_params quiet = scene->source->params;
     quiet.log = say_nothing;
-    return read_text(scene->source->text, scene->source->size, &quiet, origins);
+    return read_text(scene->source->text, scene->source->size, &quiet, origins, document);
 }
 
 void csgcast_scene_destroy(struct csgcast_scene *scene)

@@ -18,10 +18,9 @@ bool csg_origins_add(struct csg_origins *origins, const struct csg_shape *shape,
 
 void csg_origins_finish(struct csg_origins *origins)
 {
-    for (size_t i = 0; i < origins->num; i++) {
+    for (size_t i = 0; i < origins->num; i++)
         csg_shape_finish(&origins->data[i].shape);
-        free(origins->data[i].parameters);
-    }
     free(origins->data);
+    free(origins->places.data);
     *origins = (struct csg_origins){0};
 }

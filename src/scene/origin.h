@@ -14,13 +14,23 @@ struct csg_origin {
     struct csg_shape shape; /* in the node's own space; owned */
     struct csg_space space; /* around the node */
     uint32_t first, num;    /* the leaves of the node */
+    uint32_t node;          /* in the document */
     bool is_nothing;        /* parameters leave nothing: shape means nothing */
-    char *parameters;       /* of the only leaf of its node, owned; NULL: an empty text */
+    bool is_compound;       /* the node becomes a part */
+    bool is_inside;         /* the node is in another one that becomes a part, and marked there */
+};
+
+/* Where the part of a node stands in a tree as the text has it. */
+struct csg_part_place {
+    uint32_t node, at;
+    uint8_t layer;
+    bool negated; /* complemented */
 };
 
 struct csg_origins {
     struct csg_origin *data; /* by leaf */
     size_t num, capacity;
+    CSG_ARRAY(struct csg_part_place) places; /* by layer, in the order of the trees */
 };
 
 /* OpenSCAD knows a colour of which components are unset; here it is set or not. */

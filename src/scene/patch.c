@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/arguments.h"
 #include "scene/digits.h"
 #include "scene/edits.h"
-#include "scene/load.h"
+#include "scene/parameters.h"
+#include "scene/source.h"
 #include "scene/walk.h"
 
 bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, uint32_t leaf)
@@ -16,14 +16,6 @@ bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, 
     patch->has_all_digits = csg_digits_are_all(scene->source->text, scene->source->size);
     patch->leaf.shape.planes = patch->origin.shape.planes = NULL;
     patch->leaf.shape.surface = patch->origin.shape.surface = NULL;
-    patch->origin.parameters = NULL;
-    if (origin->parameters) {
-        const size_t size = strlen(origin->parameters) + 1;
-        patch->origin.parameters = malloc(size);
-        if (!patch->origin.parameters)
-            return false;
-        memcpy(patch->origin.parameters, origin->parameters, size);
-    }
     return csg_shape_copy(&patch->leaf.shape, &scene->leaves[leaf].shape) &&
            csg_shape_copy(&patch->origin.shape, &origin->shape);
 }
@@ -32,7 +24,6 @@ void csg_patch_finish(struct csg_patch *patch)
 {
     csg_shape_finish(&patch->leaf.shape);
     csg_shape_finish(&patch->origin.shape);
-    free(patch->origin.parameters);
 }
 
 void csg_patch_set_color(struct csg_patch *patch, const float color[4])
@@ -65,92 +56,46 @@ void csg_patch_set_matrix(struct csg_patch *patch, const double matrix[16])
     space->is_empty = false;
 }
 
-/* "cube(size = 3\n)": the line's end, as a comment may end the parameters. NULL: no memory. */
-static char *node_text(const char *name, const char *parameters, size_t *size)
-{
-    *size = strlen(name) + strlen(parameters) + 3;
-    char *text = malloc(*size + 1);
-    if (text)
-        snprintf(text, *size + 1, "%s(%s\n)", name, parameters);
-    return text;
-}
-
-/* Reads the solid from its node's text. */
-static bool read_solid(struct csg_patch *patch, const struct csgcast_scene *scene, const char *text,
-                       size_t size, struct csg_report *report)
+/* Reads the solid from its node's parameters. */
+static bool read_solid(struct csg_patch *patch, const struct csgcast_scene *scene,
+                       const struct csg_parameters *parameters)
 {
     const struct csg_solid_ops *ops = csg_solids[patch->leaf.kind];
-    struct csg_arguments arguments = {0};
     struct csg_shape shape = {.frame = csg_map_identity};
-    struct csg_lexer lexer;
-    struct csg_token token;
-    csg_lexer_init(&lexer, text, size, 0, (struct csg_place){1, 1});
-    csg_lexer_next(&lexer, &token);
-    lexer.has_all_digits = patch->has_all_digits;
-    lexer.line_begin = strlen(ops->name) + 1; /* columns count from the first parameter */
-    bool done = csg_arguments_read(&arguments, &lexer, &token, report) == CSG_DONE;
-    if (done && token.type != CSG_TOKEN_END) {
-        csg_report_error(report, CSGCAST_MESSAGE_SYNTAX, token.place,
-                         "nothing may follow the parameters of %s", ops->name);
-        done = false;
-    }
-    if (done) {
-        const struct csg_args args = {.args = arguments.args.data,
-                                      .num = arguments.args.num,
-                                      .parameters = ops->parameters,
-                                      .facets = scene->source->params.facets,
-                                      .log = &report->log,
-                                      .file = report->file,
-                                      .line = 1,
-                                      .column = 1,
-                                      .node = ops->name};
-        csg_warn_of_strange_names(&args);
-        const enum csg_read_result result = ops->read(&args, &shape);
-        done = result != CSG_READ_ERROR;
-        patch->origin.is_nothing = result == CSG_READ_EMPTY;
-    }
-    csg_arguments_finish(&arguments);
+    const struct csg_args args = {.args = parameters->arguments.args.data,
+                                  .num = parameters->arguments.args.num,
+                                  .parameters = ops->parameters,
+                                  .facets = scene->source->params.facets,
+                                  .log = &parameters->report.log,
+                                  .file = parameters->file,
+                                  .line = 1,
+                                  .column = 1,
+                                  .node = ops->name};
+    csg_warn_of_strange_names(&args);
+    const enum csg_read_result result = ops->read(&args, &shape);
+    patch->origin.is_nothing = result == CSG_READ_EMPTY;
     csg_shape_finish(&patch->origin.shape);
     patch->origin.shape = shape;
-    return done;
-}
-
-static bool keep_parameters(struct csg_patch *patch, const char *text)
-{
-    const size_t size = strlen(text) + 1;
-    char *copy = malloc(size);
-    if (!copy)
-        return false;
-    memcpy(copy, text, size);
-    free(patch->origin.parameters);
-    patch->origin.parameters = copy;
-    return true;
+    return result != CSG_READ_ERROR;
 }
 
 bool csg_patch_set_parameters(struct csg_patch *patch, const struct csgcast_scene *scene,
-                              const char *parameters)
+                              const char *text)
 {
-    struct csg_report report;
-    char name[48];
-    size_t size;
-    if (!patch->origin.parameters) {
-        csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT,
-                      "%s:%u:%u: leaf %u is one of the solids that this %s became: its parameters "
-                      "cannot be set; load the changed text instead",
-                      scene->name, (unsigned)patch->leaf.line, (unsigned)patch->leaf.column,
-                      (unsigned)patch->index, csg_kind_name(patch->leaf.kind));
-        return false;
-    }
-    char *text = node_text(csg_solids[patch->leaf.kind]->name, parameters, &size);
-    if (!text || !keep_parameters(patch, parameters)) {
-        free(text);
-        return csg_log_memory(&scene->log);
-    }
-    snprintf(name, sizeof name, "<edit of leaf %u>", (unsigned)patch->index);
-    csg_report_init(&report, &scene->log, name);
-    const bool done = read_solid(patch, scene, text, size, &report);
-    free(text);
-    return csg_report_finish(&report) && done;
+    const char *node = csg_solids[patch->leaf.kind]->name;
+    struct csg_parameters parameters;
+    const bool done = csg_parameters_read(&parameters, scene, patch->index, node, text) &&
+                      read_solid(patch, scene, &parameters);
+    return csg_parameters_finish(&parameters) && done;
+}
+
+void csg_patch_set_shape(struct csg_patch *patch, enum csg_kind kind, struct csg_shape *shape)
+{
+    patch->leaf.kind = kind;
+    patch->origin.is_nothing = false;
+    csg_shape_finish(&patch->origin.shape);
+    patch->origin.shape = *shape;
+    *shape = (struct csg_shape){0};
 }
 
 bool csg_patch_place(struct csg_patch *patch)

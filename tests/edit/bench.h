@@ -65,5 +65,6 @@ void check_batch(struct bench *bench);
 void check_growth(struct bench *bench);
 void check_bar(struct bench *bench);
 void check_cases(struct bench *bench);
+void check_nodes(struct bench *bench);
 
 #endif

@@ -41,6 +41,7 @@ int main(int argc, char **argv)
     check_batch(&bench);
     check_bar(&bench);
     check_cases(&bench);
+    check_nodes(&bench);
     csgcast_renderer_destroy(bench.edited);
     csgcast_renderer_destroy(bench.fresh);
     printf("%s\n", num_failed ? "FAIL" : "ok");

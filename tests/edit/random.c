@@ -92,8 +92,10 @@ void check_programs(struct bench *bench, uint64_t seed, int max_leaves)
         const size_t leaf = random_leaf(&model);
         model_random_matrix(&model, model.leaves[leaf].matrix);
         model_random_parameters(&model, model.leaves[leaf].kind, model.leaves[leaf].parameters);
-        const struct csgcast_edit edit = {leaf, model.leaves[leaf].matrix,
-                                          model.leaves[leaf].parameters, orange};
+        const struct csgcast_edit edit = {.leaf = leaf,
+                                          .matrix = model.leaves[leaf].matrix,
+                                          .parameters = model.leaves[leaf].parameters,
+                                          .color = orange};
         CHECK(csgcast_scene_edit(scene, &edit, 1), "%s", bench_last_message);
         bench_draw_edited(bench, scene, &camera);
     }

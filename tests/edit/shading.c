@@ -90,7 +90,7 @@ static void check_opaque(struct bench *bench, const struct csgcast_camera *camer
     static uint8_t bytes[4 * PIXELS];
     const float opaque[4] = {1, 0.5F, 0, 1};
     const struct csgcast_edit edits[3] = {
-        {6, NULL, NULL, opaque}, {7, NULL, NULL, opaque}, {8, NULL, NULL, opaque}};
+        {.leaf = 6, .color = opaque}, {.leaf = 7, .color = opaque}, {.leaf = 8, .color = opaque}};
     print_walls(60, 0.5, bench->text);
     struct csgcast_scene *scene = bench_begin(bench, bench->text);
     draw_bytes(bench->edited, scene, camera, bytes);

@@ -225,21 +225,35 @@ CSGCAST_API bool csgcast_scene_get_bounds(const struct csgcast_scene *scene, dou
  * a program that draws faster, as a frame with a moved camera may.
  *
  * Nodes that become several solids (extrusions, polyhedra that are not convex, hulls) have several
- * leaves: a matrix or colour of one of them is that of all, and parameters cannot be set. What is in
- * a render() has one colour, as in OpenSCAD: that of one of its leaves is that of all.
+ * leaves: a matrix, a colour or the parameters of one of them are those of all. What is in a
+ * render() has one colour, as in OpenSCAD: that of one of its leaves is that of all.
+ *
+ * New parameters of an extrusion, a hull and their like, or of a node in one (the circle that is
+ * extruded, see csgcast_scene_get_node), have it read anew, with openscad where only that can
+ * evaluate it. Where it becomes another number of leaves, those behind it are renumbered as loading
+ * the changed text would number them: csgcast_scene_num_leaves and csgcast_scene_get_leaf tell.
  */
 struct csgcast_leaf {
     const char *kind;      /* of the node, e.g. "cylinder"; static */
     unsigned line, column; /* of the node in the text, from 1; of .scad: in the flattened text */
     size_t first, num;     /* the leaves of its node; of most nodes this one alone */
+    size_t num_nodes;      /* its node and those in it that it is read with; of a solid 1 */
     bool empty;            /* an edit has left nothing of it; it keeps its index */
     /* From the solid's own space (docs/solids.md) to the world: the product of all matrices around
      * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
     double matrix[16];
     float color[4]; /* r g b a as the outermost color() says; below 0: the scheme's */
-    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2"; "" where the leaf is
-     * one of several. Lives until the scene is edited or destroyed. */
+    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Lives until the scene is
+     * edited or destroyed. */
     const char *parameters;
+};
+
+/* A leaf's node, or one in it. */
+struct csgcast_node {
+    const char *name;       /* e.g. "circle"; static */
+    unsigned line, column;  /* as in struct csgcast_leaf */
+    size_t num;             /* of this and those in it: node + num is the one beside it */
+    const char *parameters; /* as in struct csgcast_leaf */
 };
 
 /* How many leaves there are, empty ones and those that were left out included. */
@@ -250,6 +264,11 @@ CSGCAST_API size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene);
 CSGCAST_API bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t leaf,
                                         struct csgcast_leaf *info);
 
+/* The node of that number, in the order of the text, among those of a leaf: 0 is the leaf's own.
+ * Fails as csgcast_scene_get_leaf does. */
+CSGCAST_API bool csgcast_scene_get_node(struct csgcast_scene *scene, size_t leaf, size_t node,
+                                        struct csgcast_node *info);
+
 /* A change of one leaf; what is NULL stays as it is. */
 struct csgcast_edit {
     size_t leaf;
@@ -259,21 +278,25 @@ struct csgcast_edit {
      * they have from the file (docs/coincidence.md). */
     const double *matrix;
     /* All of the node's arguments as scene text: "r = 3, $fn = 40". What is not given takes its
-     * default. Parameters that make nothing (r = 0) leave nothing of the leaf. */
+     * default. Parameters that make nothing (r = 0) leave nothing of the node's leaves. */
     const char *parameters;
     /* r g b a, finite. A component below 0 is the scheme's; all below 0: as without color(). */
     const float *color;
+    /* Whose arguments parameters are: 0 the leaf's node, else one in it (csgcast_scene_get_node). */
+    size_t node;
 };
 
 /*
  * Makes all changes, then once what follows from them. false, with a message for the first change
- * that is wrong, where none was made. Of several changes of the same leaf the last one counts.
- * Messages about parameters begin with "<edit of leaf N>:line:column:".
+ * that is wrong, where none was made. Of several changes of the same leaf the last one counts; all
+ * leaves go by the numbers that they have before the call. Messages about parameters begin with
+ * "<edit of leaf N>:line:column:". What # or % shows of an extrusion or its like by itself has
+ * parameters that cannot be set, nor can those of nodes in that one.
  */
 CSGCAST_API bool csgcast_scene_edit(struct csgcast_scene *scene, const struct csgcast_edit *edits,
                                     size_t num_edits);
 
-/* One change each. */
+/* One change each; parameters: of the leaf's own node. */
 CSGCAST_API bool csgcast_scene_set_matrix(struct csgcast_scene *scene, size_t leaf,
                                           const double matrix[16]);
 CSGCAST_API bool csgcast_scene_set_parameters(struct csgcast_scene *scene, size_t leaf,
