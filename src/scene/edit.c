@@ -28,81 +28,6 @@ struct session {
     bool regroups; /* a node of several solids becomes translucent, or opaque again */
 };
 
-size_t csgcast_scene_num_leaves(const struct csgcast_scene *scene)
-{
-    return scene ? scene->num_leaves : 0;
-}
-
-static bool has_leaf(const struct csgcast_scene *scene, size_t leaf)
-{
-    if (leaf < scene->num_leaves)
-        return true;
-    csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT, "%s: there is no leaf %zu of %zu",
-                  scene->name, leaf, scene->num_leaves);
-    return false;
-}
-
-static void copy_matrix(const struct csg_map *map, double matrix[16])
-{
-    static const double last[4] = {0, 0, 0, 1};
-    memcpy(matrix, map->m, sizeof map->m);
-    memcpy(matrix + 12, last, sizeof last);
-}
-
-/* Nodes that the leaf's node was read with: a solid has none in it. */
-static uint32_t count_nodes(const struct csgcast_scene *scene, const struct csg_origin *origin)
-{
-    const struct csg_parsed_node *nodes = scene->edits->texts.document.nodes.data;
-    return origin->is_compound ? nodes[origin->node].end - origin->node : 1;
-}
-
-bool csgcast_scene_get_leaf(struct csgcast_scene *scene, size_t index, struct csgcast_leaf *info)
-{
-    if (!scene || !has_leaf(scene, index) || !csg_edits_of(scene))
-        return false;
-    const struct csg_leaf *leaf = &scene->leaves[index];
-    const struct csg_origin *origin = &scene->edits->origins.data[index];
-    *info =
-        (struct csgcast_leaf){.kind = csg_kind_name(leaf->kind),
-                              .line = leaf->line,
-                              .column = leaf->column,
-                              .first = origin->first,
-                              .num = origin->num,
-                              .num_nodes = count_nodes(scene, origin),
-                              .empty = leaf->is_empty,
-                              .parameters = csg_node_texts_get(&scene->edits->texts, origin->node)};
-    copy_matrix(&origin->space.map, info->matrix);
-    memcpy(info->color, leaf->color, sizeof info->color);
-    return info->parameters || csg_log_memory(&scene->log);
-}
-
-static bool has_node(const struct csgcast_scene *scene, size_t leaf, size_t node)
-{
-    const size_t num = count_nodes(scene, &scene->edits->origins.data[leaf]);
-    if (node < num)
-        return true;
-    csg_log_error(&scene->log, CSGCAST_MESSAGE_ARGUMENT, "%s: leaf %zu has no node %zu of %zu",
-                  scene->name, leaf, node, num);
-    return false;
-}
-
-bool csgcast_scene_get_node(struct csgcast_scene *scene, size_t leaf, size_t index,
-                            struct csgcast_node *info)
-{
-    if (!scene || !has_leaf(scene, leaf) || !csg_edits_of(scene) || !has_node(scene, leaf, index))
-        return false;
-    struct csg_node_texts *texts = &scene->edits->texts;
-    const struct csg_origin *origin = &scene->edits->origins.data[leaf];
-    const uint32_t node = origin->node + (uint32_t)index;
-    const struct csg_parsed_node *parsed = &texts->document.nodes.data[node];
-    *info = (struct csgcast_node){.name = csg_node_texts_name(texts, node),
-                                  .line = parsed->place.line,
-                                  .column = parsed->place.column,
-                                  .num = origin->is_compound ? parsed->end - node : 1,
-                                  .parameters = csg_node_texts_get(texts, node)};
-    return info->parameters || csg_log_memory(&scene->log);
-}
-
 /* ---- what an edit may say ------------------------------------------------------------------ */
 
 static bool wrong(const struct session *session, size_t leaf, const char *text)
@@ -132,7 +57,7 @@ static bool check_color(const struct session *session, size_t leaf, const float 
 
 static bool check(const struct session *session, const struct csgcast_edit *edit)
 {
-    return has_leaf(session->scene, edit->leaf) &&
+    return csg_edits_has_leaf(session->scene, edit->leaf) &&
            (!edit->matrix || check_matrix(session, edit->leaf, edit->matrix)) &&
            (!edit->color || check_color(session, edit->leaf, edit->color));
 }
@@ -186,8 +111,8 @@ static bool check_node(const struct session *session, const struct csgcast_edit 
     const struct csgcast_scene *scene = session->scene;
     const struct csg_origin *origins = scene->edits->origins.data, *origin = &origins[edit->leaf];
     const size_t behind = (size_t)origin->first + origin->num;
-    const uint32_t end = origin->node + count_nodes(scene, origin);
-    if (!has_node(scene, edit->leaf, edit->node))
+    const uint32_t end = origin->node + csg_edits_count_nodes(scene, origin);
+    if (!csg_edits_has_node(scene, edit->leaf, edit->node))
         return false;
     if (origin->is_inside ||
         (edit->node > 0 && behind < scene->num_leaves && origins[behind].node < end))

@@ -22,6 +22,14 @@ struct csg_edits {
 struct csg_edits *csg_edits_of(struct csgcast_scene *scene);
 void csg_edits_destroy(struct csg_edits *edits);
 
+/* false, with a message: there is none. */
+bool csg_edits_has_leaf(const struct csgcast_scene *scene, size_t leaf);
+/* Counted from the leaf's own node, which is 0. */
+bool csg_edits_has_node(const struct csgcast_scene *scene, size_t leaf, size_t node);
+
+/* Nodes that the leaf's node was read with, itself included: a solid has none in it. */
+uint32_t csg_edits_count_nodes(const struct csgcast_scene *scene, const struct csg_origin *origin);
+
 /* Makes anew what follows from the leaves that have changed; shapes are theirs before. regroups: a
  * node of several solids has become translucent or opaque. false, with a message and nothing
  * changed: no memory. */
