@@ -10,6 +10,10 @@
 /* The index is made anew for scenes that have become so many times smaller than it. */
 #define MOST_ROOM 16
 
+/* Where more than this part of the leaves change, as all do in an animation, the carriers of all
+ * are sooner found anew than those of the changed ones taken out of the index and put into it. */
+#define MAX_PART 2
+
 static void *copy_of(const void *data, size_t num, size_t size)
 {
     void *copy = malloc((num + 1) * size);
@@ -311,6 +315,8 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                         .before = before,
                                         .builder = before->scene->carriers->kept,
                                         .is_same = before->objects != NULL};
+    if (before->num > scene->num_leaves / MAX_PART)
+        return csg_carriers_create(scene, false);
     if (!change.builder)
         return csg_carriers_create(scene, true);
     change.wanted = calloc(scene->num_leaves + 1, sizeof *change.wanted);

@@ -62,6 +62,7 @@ void check_many(struct bench *bench, uint64_t seed, bool marked, bool has_surfac
 void check_upload(struct bench *bench);
 void check_shading(struct bench *bench);
 void check_batch(struct bench *bench);
+void check_all(struct bench *bench);
 void check_growth(struct bench *bench);
 void check_bar(struct bench *bench);
 void check_cases(struct bench *bench);

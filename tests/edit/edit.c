@@ -39,6 +39,7 @@ int main(int argc, char **argv)
     check_upload(&bench);
     check_shading(&bench);
     check_batch(&bench);
+    check_all(&bench);
     check_bar(&bench);
     check_cases(&bench);
     check_nodes(&bench);

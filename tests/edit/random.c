@@ -120,3 +120,26 @@ void check_batch(struct bench *bench)
     bench_compare(bench, scene, &model, "batch", true);
     csgcast_scene_destroy(scene);
 }
+
+/* By turns all leaves in one call, and one of them. */
+void check_all(struct bench *bench)
+{
+    static struct model model;
+    static struct csgcast_edit edits[MODEL_MAX_LEAVES];
+    model_init(&model, 12, 40);
+    model_print(&model, bench->text);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
+    bench_compare(bench, scene, &model, "before", true);
+    for (int i = 0; i < 4 * NUM_EDITS; i++) {
+        const int num = i % 3 == 2 ? 1 : model.num_leaves;
+        for (int j = 0; j < num; j++) {
+            struct model_leaf *leaf = &model.leaves[num == 1 ? (size_t)i : (size_t)j];
+            model_random_matrix(&model, leaf->matrix);
+            edits[j] = (struct csgcast_edit){.leaf = (size_t)(leaf - model.leaves),
+                                             .matrix = leaf->matrix};
+        }
+        CHECK(csgcast_scene_edit(scene, edits, (size_t)num), "%s", bench_last_message);
+        bench_compare(bench, scene, &model, num == 1 ? "one of all" : "all at once", true);
+    }
+    csgcast_scene_destroy(scene);
+}
