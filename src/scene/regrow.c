@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "csg/framing.h"
+#include "csg/wholes.h"
 #include "scene/reading.h"
 #include "scene/walk.h"
 
