@@ -26,7 +26,7 @@ static bool take_cylinders(struct csg_walk *walk, uint32_t node, bool in_boolean
 {
     const uint32_t end = csg_walk_node(walk, node)->end;
     struct csg_part inner = {0};
-    bool ok = true, all = walk->depth == 0;
+    bool ok = true, all = !walk->is_operand;
     for (uint32_t i = node + 1; i < end && all; i++)
         if (csg_is_left_out(walk->builder, i))
             i = csg_walk_node(walk, i)->end - 1;
@@ -47,7 +47,7 @@ static bool add_hull(struct csg_walk *walk, uint32_t node, bool in_boolean,
     const size_t num = part->shapes.num;
     if (!csg_sets_add_hull(walk, node, sets, points, part))
         return false;
-    return in_boolean || walk->depth > 0 || part->shapes.num > num ||
+    return in_boolean || walk->is_operand || part->shapes.num > num ||
            csg_hull_film(sets, points, part) || csg_walk_no_memory(walk);
 }
 

@@ -235,19 +235,24 @@ static bool read_nodes(struct reader *reader, uint32_t begin, uint32_t end)
 bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_boolean,
                    enum csg_part_wanted wanted, struct csg_part *part)
 {
-    struct reader reader = {.walk = walk, .part = part, .exact = wanted == CSG_WANT_EXACT};
+    struct csg_builder *builder = walk->builder;
+    const bool exact = wanted == CSG_WANT_EXACT ||
+                       (wanted == CSG_WANT_AROUND && builder->facets != CSGCAST_FACETS_AS_WRITTEN);
+    struct reader reader = {.walk = walk, .part = part, .exact = exact};
     struct frame root = {.end = end, .role = CSG_ROLE_UNION, .space = csg_space_world};
-    const enum csgcast_facets facets = walk->builder->facets;
+    const enum csgcast_facets facets = builder->facets;
     root.space.in_boolean = in_boolean;
     if (!reader.exact)
-        walk->builder->facets = CSGCAST_FACETS_AS_WRITTEN;
-    const bool outer_points_only = walk->points_only;
+        builder->facets = CSGCAST_FACETS_AS_WRITTEN;
+    const bool outer_points_only = walk->points_only, outer_is_operand = walk->is_operand;
     walk->points_only = wanted == CSG_WANT_POINTS;
+    walk->is_operand |= wanted != CSG_WANT_AROUND;
     const bool ok = csg_part_open(part, false) && csg_array_push(&reader.frames, root)
                         ? read_nodes(&reader, begin, end)
                         : csg_walk_no_memory(reader.walk);
     walk->points_only = outer_points_only;
-    walk->builder->facets = facets;
+    walk->is_operand = outer_is_operand;
+    builder->facets = facets;
     free(reader.frames.data);
     return ok;
 }

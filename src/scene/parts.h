@@ -11,6 +11,7 @@
 
 enum csg_part_wanted {
     CSG_WANT_EXACT,
+    CSG_WANT_AROUND, /* what is wanted of the compound itself, which only moves what it reads */
     CSG_WANT_FACETS, /* no shape has a quadric; what cannot be facetted is reported and left out */
     CSG_WANT_POINTS, /* the same, but a mesh that nothing is cut from is only its points: a surface
                       * that may be open or flat */

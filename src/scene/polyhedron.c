@@ -201,7 +201,7 @@ static bool add_solid(struct csg_walk *walk, const struct csg_mesh *mesh,
                       const struct csg_mesh_gaps *gaps, struct csg_part *part)
 {
     enum csg_mesh_result result = CSG_MESH_TOO_LARGE;
-    const bool is_inner = walk->depth > 0;
+    const bool is_inner = walk->is_operand;
     if (gaps->num == 0 || is_inner)
         result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
                                     is_inner ? SIZE_MAX : max_planes, part);
@@ -248,7 +248,7 @@ bool csg_polyhedron_add(struct csg_walk *walk, uint32_t node, bool in_boolean,
         return false;
     if (is_hull && (!add_hull(walk, mesh, part, &is_hull) || is_hull))
         return is_hull;
-    const bool has_films = !in_boolean && walk->depth == 0;
+    const bool has_films = !in_boolean && !walk->is_operand;
     return (has_films ? add_all(walk, mesh, &gaps, part) : add_solid(walk, mesh, &gaps, part)) ||
            csg_walk_no_memory(walk);
 }

@@ -88,8 +88,6 @@ static void find_factors(const struct csg_walk *walk, uint32_t node,
 static bool read_children(struct csg_walk *walk, const struct csg_resized *resized, bool in_boolean,
                           struct csg_part *facets, struct csg_part *part)
 {
-    const enum csg_part_wanted wanted =
-        walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN ? CSG_WANT_FACETS : CSG_WANT_EXACT;
     const uint32_t node = resized->node;
     if (walk->points_only && csg_part_is_union(facets)) {
         *part = *facets;
@@ -97,8 +95,8 @@ static bool read_children(struct csg_walk *walk, const struct csg_resized *resiz
         return true;
     }
     walk->resized = resized;
-    const bool ok =
-        csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean, wanted, part);
+    const bool ok = csg_part_read(walk, node + 1, csg_walk_node(walk, node)->end, in_boolean,
+                                  CSG_WANT_AROUND, part);
     walk->resized = resized->outer;
     return ok;
 }

@@ -125,7 +125,7 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     const bool is_surface = csg_turn_is_flat(&revolution->turn)
                                 ? !in_boolean
                                 : profile->sweep.spans.num >= MIN_SURFACE_SPANS;
-    if (revolution->turn.facetted && walk->depth == 0 && is_surface &&
+    if (revolution->turn.facetted && !walk->is_operand && is_surface &&
         !add_surface(drawing, &revolution->turn, profile, rounding, part, &taken))
         return csg_walk_no_memory(walk);
     return taken || csg_revolve(part, profile, &revolution->turn, rounding) ||

@@ -125,10 +125,9 @@ bool csg_walk_is_boolean(const struct csg_walk *walk, uint32_t node)
     return num_operands == 2;
 }
 
-/* What is inside of another compound is wanted as convex pieces. */
 size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean)
 {
-    return walk->depth > 0        ? SIZE_MAX
+    return walk->is_operand       ? SIZE_MAX
            : in_boolean           ? CSG_EXTRUDE_PIECES
            : walk->is_see_through ? CSG_EXTRUDE_BLENDED_PIECES
                                   : CSG_EXTRUDE_ALONE_PIECES;

@@ -18,7 +18,8 @@ struct csg_walk {
     struct csg_arguments arguments;    /* of the node at hand */
     int depth;                         /* of compounds inside of compounds */
     const struct csg_resized *resized; /* the innermost one; NULL: none */
-    bool points_only;                  /* of what is read only the points matter, as for a hull */
+    bool is_operand;     /* another compound works on what is read, and wants convex pieces of it */
+    bool points_only;    /* of what is read only the points matter, as for a hull */
     bool is_see_through; /* what is read shows what is behind it: %, #, a translucent colour */
     bool was_placed;     /* something read since this was false depends on what is around it */
 };

@@ -34,6 +34,11 @@ if command -v node >/dev/null; then
     report $? "strings are escaped"
 fi
 
+# By itself a ring of flat segments is one surface.
+echo 'resize([10, 0, 5]) rotate_extrude($fn = 12) translate([5, 0]) circle(2, $fn = 9);' >ring.csg
+expect 0 "what is resized" info ring.csg --facets=as-written --no-gl
+check "one leaf" grep -qx "leaves *1" out
+
 expect 0 "what a frame costs" info part.csg --stats
 prints "draw ms"
 prints "tests a pixel      3.000"
