@@ -3,7 +3,6 @@
 
 #include <limits.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "pack/record.h"
 #include "pack/surface_record.h"
@@ -60,102 +59,6 @@ static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_
     if (num < MANY_PLANES)
         return INT_MAX;
     return num < VERY_MANY_PLANES ? PLANES_TILE_SIZE : PLANES_TILE_SIZE / 2;
-}
-
-/* An empty one. */
-static struct csg_tree take_tree(struct csg_tiler *tiler)
-{
-    struct csg_tree tree = {0};
-    if (tiler->spare.num)
-        tree = tiler->spare.data[--tiler->spare.num];
-    tree.num = 0;
-    return tree;
-}
-
-/* The caller frees the copy, also when memory is out. */
-static bool copy_tree(struct csg_tiler *tiler, const struct csg_tree *tree, struct csg_tree *copy)
-{
-    *copy = take_tree(tiler);
-    if (!csg_array_reserve(copy, tree->num))
-        return false;
-    memcpy(copy->data, tree->data, tree->num * sizeof *tree->data);
-    copy->num = tree->num;
-    return true;
-}
-
-/* The memory of a tree that is not needed any more is for the next one. */
-static void drop_task(struct csg_tiler *tiler, struct csg_tile_task *task)
-{
-    if (task->tree.data && !csg_array_push(&tiler->spare, task->tree))
-        free(task->tree.data);
-    free(task->bands.data);
-}
-
-static int tile_size(const struct csg_tiler *tiler)
-{
-    const int size = tiler->terms->params->tile_size;
-    return size ? size : CSG_TILE_SIZE;
-}
-
-/* Where to cut between lo and hi: at the multiple of the largest power of two tiles, *step pixels,
- * so that tiles are squares where they can be. Drivers draw blocks of pixels, and a tile that lies
- * across them has more of them than it need have. lo: there is no edge to cut at. */
-static int edge_between(int lo, int hi, int tile, int *step)
-{
-    int edge = lo;
-    *step = 0;
-    for (int next = tile; (lo / next + 1) * next < hi; next *= 2) {
-        edge = (lo / next + 1) * next;
-        *step = next;
-    }
-    return edge;
-}
-
-/* What task is to keep of itself: the part below edge on an axis, or the one above. */
-static void keep_part(struct csg_tile_task *task, int axis, int edge, bool upper)
-{
-    if (upper)
-        task->lo[axis] = edge;
-    else
-        task->hi[axis] = edge;
-}
-
-/* The task's own copies; dropped where memory is out. */
-static bool copy_parts_of(struct csg_tiler *tiler, const struct csg_tile_task *whole,
-                          struct csg_tile_task *part)
-{
-    part->bands = (struct csg_band_list){0};
-    if (copy_tree(tiler, &whole->tree, &part->tree) &&
-        csg_band_list_copy(&whole->bands, &part->bands))
-        return true;
-    drop_task(tiler, part);
-    return false;
-}
-
-/* Cuts into two or four, across the axes that have an edge of the larger step; returns how many. */
-static int cut(const struct csg_tiler *tiler, const struct csg_tile_task *task,
-               struct csg_tile_task parts[CSG_TILE_LANES])
-{
-    int edges[2], steps[2], num = 1;
-    for (int i = 0; i < 2; i++) {
-        const int size = task->hi[i] - task->lo[i];
-        const int tile = size > tile_size(tiler) ? tile_size(tiler) : 1;
-        edges[i] = edge_between(task->lo[i], task->hi[i], tile, &steps[i]);
-    }
-    const bool cuts[2] = {steps[0] >= steps[1], steps[1] >= steps[0]};
-    const size_t num_leaves = csg_tree_count_leaves(&task->tree);
-    for (int i = 0; i < 2; i++)
-        num *= cuts[i] ? 2 : 1;
-    for (int i = 0; i < num; i++) {
-        parts[i] = *task;
-        parts[i].before[0] = num_leaves;
-        parts[i].before[1] = num == 4 ? num_leaves : task->before[0];
-        if (cuts[0])
-            keep_part(&parts[i], 0, edges[0], i & 1);
-        if (cuts[1])
-            keep_part(&parts[i], 1, edges[1], cuts[0] ? i >> 1 : i);
-    }
-    return num;
 }
 
 static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task)
@@ -280,7 +183,8 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
                              size_t num_leaves)
 {
     const int few = !tiler->fine && task->flat && num_leaves <= FEW_LEAVES ? 2 : 1;
-    const int tile = is_crowded(tiler, num_leaves) ? tile_size(tiler) / 2 : few * tile_size(tiler);
+    const int tile =
+        is_crowded(tiler, num_leaves) ? csg_tile_size(tiler) / 2 : few * csg_tile_size(tiler);
     const bool smallest = is_within(task, tile);
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];
@@ -318,7 +222,7 @@ static bool settle(struct csg_tiler *tiler, struct csg_tile_task *task)
         ok = draw_tile(tiler, task, num_leaves, &done);
     if (ok && !done && csg_array_push(&tiler->tasks, *task))
         return true;
-    drop_task(tiler, task);
+    csg_task_drop(tiler, task);
     return ok && done;
 }
 
@@ -327,7 +231,7 @@ static bool fold_and_settle(struct csg_tiler *tiler, struct csg_tile_task *task,
     tiler->parts.at = part;
     if (csg_tiler_fold(tiler, task))
         return settle(tiler, task);
-    drop_task(tiler, task);
+    csg_task_drop(tiler, task);
     return false;
 }
 
@@ -345,7 +249,7 @@ static bool sift_and_leave(struct csg_tiler *tiler, struct csg_tile_task *task)
     tiler->terms->frame->tiles_empty += ok && task->tree.num == 0;
     if (ok && task->tree.num > 0 && csg_array_push(&tiler->tasks, *task))
         return true;
-    drop_task(tiler, task);
+    csg_task_drop(tiler, task);
     return ok && task->tree.num == 0;
 }
 
@@ -353,15 +257,15 @@ static bool sift_and_leave(struct csg_tiler *tiler, struct csg_tile_task *task)
 static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
     struct csg_tile_task parts[CSG_TILE_LANES];
-    tiler->parts.num = cut(tiler, task, parts);
+    tiler->parts.num = csg_task_cut(tiler, task, parts);
     for (int i = 0; i < tiler->parts.num; i++)
         tiler->parts.rects[i] = csg_tile_rect(&parts[i]);
     const bool coarse = is_coarse(tiler, task);
     bool ok = coarse || csg_tiler_look(tiler, &task->tree);
     for (int i = 0; i < tiler->parts.num && ok; i++)
-        ok = copy_parts_of(tiler, task, &parts[i]) &&
+        ok = csg_task_copy(tiler, task, &parts[i]) &&
              (coarse ? sift_and_leave(tiler, &parts[i]) : fold_and_settle(tiler, &parts[i], i));
-    drop_task(tiler, task);
+    csg_task_drop(tiler, task);
     return ok;
 }
 
@@ -374,27 +278,8 @@ static bool begin(struct csg_tiler *tiler, struct csg_tile_task *task)
     tiler->parts.rects[0] = csg_tile_rect(task);
     if (csg_tiler_sift(tiler, task) && csg_tiler_look(tiler, &task->tree))
         return fold_and_settle(tiler, task, 0);
-    drop_task(tiler, task);
+    csg_task_drop(tiler, task);
     return false;
-}
-
-/* The object's own part of the layer's tree, counted from 0. Tiles leave spare leaves out, which are
- * nowhere: a record would keep none of their planes, and one without planes is everywhere. */
-static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object,
-                        struct csg_tree *tree)
-{
-    const struct csg_stacks *stacks = &tiler->terms->stacks;
-    const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data;
-    bool ok = true;
-    if (stacks->list.num) {
-        ok = copy_tree(tiler, &stacks->tree, tree);
-    } else {
-        *tree = take_tree(tiler);
-        ok = csg_tree_append(tree, nodes, object->begin, object->end);
-    }
-    for (size_t i = 0; i < tree->num && ok; i++)
-        tree->data[i].spare = false;
-    return ok;
 }
 
 static bool is_spent(struct csg_tile_budget *budget)
@@ -411,7 +296,7 @@ static bool run_tasks(struct csg_tiler *tiler, bool ok)
         if (ok && !is_spent(tiler->budget))
             ok = run(tiler, &task);
         else
-            drop_task(tiler, &task);
+            csg_task_drop(tiler, &task);
     }
     return ok;
 }
@@ -428,13 +313,7 @@ bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
     tiler->fine = area->fine;
     tiler->num_corner_cuts = 0;
     tiler->max_texels = area->max_texels + terms->frame->texels.num / 4;
-    bool ok = object_tree(tiler, object, &whole.tree) && csg_band_list_fill(&whole.bands, terms);
-    whole.flat = ok && csg_tiler_is_flat(&whole.tree);
-    if (ok)
-        ok = begin(tiler, &whole);
-    else
-        drop_task(tiler, &whole);
-    return run_tasks(tiler, ok);
+    return run_tasks(tiler, csg_task_start(tiler, object, &whole) && begin(tiler, &whole));
 }
 
 void csg_tiler_finish(struct csg_tiler *tiler)

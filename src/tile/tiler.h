@@ -8,8 +8,7 @@
 #include "tile/bands.h"
 #include "tile/range.h"
 #include "tile/scan.h"
-
-struct csg_tile_budget;
+#include "tile/tile.h"
 
 /* A rectangle that is still to be drawn or cut, with the tree that matters in it. */
 struct csg_tile_task {
@@ -80,6 +79,33 @@ static inline const struct csg_tile_box *csg_tiler_box(const struct csg_tiler *t
 }
 
 void csg_tiler_finish(struct csg_tiler *tiler);
+
+/* ---- task.c ---- */
+
+/* The side of the smallest tiles, in pixels. */
+static inline int csg_tile_size(const struct csg_tiler *tiler)
+{
+    const int size = tiler->terms->params->tile_size;
+    return size ? size : CSG_TILE_SIZE;
+}
+
+/* Gives the task, of which the rectangle is set, all of the object. false: out of memory. */
+bool csg_task_start(struct csg_tiler *tiler, const struct csg_object *object,
+                    struct csg_tile_task *task);
+
+/* Cuts into two or four, across the axes that have an edge of the larger step; returns how many.
+ * Trees and bands are the task's. */
+int csg_task_cut(const struct csg_tiler *tiler, const struct csg_tile_task *task,
+                 struct csg_tile_task parts[CSG_TILE_LANES]);
+
+/* Gives the part copies of its own; it is dropped where memory is out. */
+bool csg_task_copy(struct csg_tiler *tiler, const struct csg_tile_task *whole,
+                   struct csg_tile_task *part);
+
+/* The memory of a tree that is not needed any more is for the next one. */
+void csg_task_drop(struct csg_tiler *tiler, struct csg_tile_task *task);
+
+/* ---- fold.c ---- */
 
 /* Whether the tree is one intersection of leaves, none of them spare: a plate with holes, and what
  * most tiles of other objects come to. */
