@@ -4,32 +4,17 @@
 
 /* Reads a solid from "r=[1, 2, 3] h=4 center=true" without the scene parser. */
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
 #include "dice.h"
+#include "messages.h"
 #include "solids/solid.h"
 
 #define MAX_VALUES 64
 #define MAX_ARGS 8
 #define MAX_DEPTH 3
-
-struct messages {
-    size_t num;
-    char last[512];
-};
-
-static void keep_message(void *user, enum csgcast_log_level level, enum csgcast_message id,
-                         const char *text)
-{
-    struct messages *messages = user;
-    (void)level;
-    (void)id;
-    messages->num++;
-    snprintf(messages->last, sizeof messages->last, "%s", text);
-}
 
 struct solid_text {
     struct csg_value values[MAX_VALUES]; /* of vectors */

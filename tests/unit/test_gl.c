@@ -15,6 +15,7 @@
 #include "gl/egl_api.h"
 #include "gl/osmesa_api.h"
 #include "gl/threads.h"
+#include "messages.h"
 
 enum { SIZE = 4 };
 
@@ -24,22 +25,6 @@ static void check(bool ok, const char *name, const char *what)
 {
     printf("%s %s %s\n", ok ? "ok" : "FAIL", name, what);
     num_failures += !ok;
-}
-
-/* What a context has said so far. */
-struct messages {
-    int num;
-    char last[4096];
-};
-
-static void collect(void *user, enum csgcast_log_level level, enum csgcast_message id,
-                    const char *text)
-{
-    struct messages *messages = user;
-    (void)level;
-    (void)id;
-    messages->num++;
-    snprintf(messages->last, sizeof messages->last, "%s", text);
 }
 
 /* ---- drawing ---- */
@@ -95,7 +80,7 @@ static void test_drawing(struct csg_gl *gl)
 static void test_errors(enum csgcast_backend backend)
 {
     struct messages messages = {0};
-    struct csg_gl *gl = csg_gl_create(backend, &(struct csg_log){collect, &messages});
+    struct csg_gl *gl = csg_gl_create(backend, &(struct csg_log){keep_message, &messages});
     if (!gl)
         return;
     csg_gl_enter(gl);
@@ -238,7 +223,7 @@ static void test_others(void)
 static void test_device(void)
 {
     struct messages messages = {0};
-    const struct csg_log log = {collect, &messages};
+    const struct csg_log log = {keep_message, &messages};
     setenv("CSGCAST_EGL_DEVICE", "4711", 1);
     check(!csg_gl_create(CSGCAST_BACKEND_EGL, &log), "device", "4711 does not exist");
     check(messages.num == 1 && strstr(messages.last, "4711"), "device", "one message names it");
@@ -257,7 +242,7 @@ static void test_device(void)
 static void test_backends(void)
 {
     struct messages messages = {0};
-    const struct csg_log log = {collect, &messages};
+    const struct csg_log log = {keep_message, &messages};
     check(!csg_gl_create(CSGCAST_BACKEND_REFERENCE, &log), "reference", "is no OpenGL backend");
     check(messages.num == 1, "reference", "one message");
     csg_gl_destroy(NULL);

@@ -11,6 +11,7 @@
 
 #include "check.h"
 #include "dice.h"
+#include "figure.h"
 #include "plane/offset.h"
 #include "plane/outline.h"
 #include "solids/facets.h"
@@ -54,7 +55,6 @@ static double distance(const struct csg_drawing *drawing, double x, double y)
     const struct csg_figure *figure =
         &drawing->figures.data[drawing->nodes.data[drawing->nodes.num - 1].figure];
     double least = INFINITY;
-    bool inside = false;
     for (uint32_t c = figure->begin; c < figure->end; c++) {
         const struct csg_contour contour = drawing->contours.data[c];
         for (uint32_t i = contour.begin; i < contour.end; i++) {
@@ -62,11 +62,9 @@ static double distance(const struct csg_drawing *drawing, double x, double y)
             const struct csg_vec2 b =
                 drawing->points.data[i + 1 < contour.end ? i + 1 : contour.begin];
             least = fmin(least, segment_distance(a, b, x, y));
-            if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
         }
     }
-    return inside ? -least : least;
+    return in_figure(drawing, figure, x, y) ? -least : least;
 }
 
 /* Arcs have facets, one of them up to half as long again: so far inside of the circle, at most. */

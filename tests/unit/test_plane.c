@@ -10,6 +10,7 @@
 
 #include "check.h"
 #include "dice.h"
+#include "figure.h"
 #include "plane/convex.h"
 #include "plane/hull.h"
 #include "plane/offset.h"
@@ -23,24 +24,6 @@ static int random_int(int end)
 }
 
 /* ---- the rule ----------------------------------------------------------------------------- */
-
-/* Crossings of the ray from p to the right, even or odd. */
-static bool in_figure(const struct csg_drawing *drawing, const struct csg_figure *figure, double x,
-                      double y)
-{
-    bool inside = false;
-    for (uint32_t c = figure->begin; c < figure->end; c++) {
-        const struct csg_contour contour = drawing->contours.data[c];
-        for (uint32_t i = contour.begin; i < contour.end; i++) {
-            const struct csg_vec2 a = drawing->points.data[i];
-            const struct csg_vec2 b =
-                drawing->points.data[i + 1 < contour.end ? i + 1 : contour.begin];
-            if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
-        }
-    }
-    return inside;
-}
 
 /* Trees here are a few levels deep. */
 static bool in_node(const struct csg_drawing *drawing, uint32_t node, double x, double y)
@@ -125,23 +108,33 @@ static void add_random(struct csg_drawing *drawing, int depth, bool on_grid)
     csg_drawing_close(drawing, node);
 }
 
+/* least: twice the area of the smallest. */
+static double area_of(const struct csg_drawing *drawing, const struct csg_triangles *triangles,
+                      double *least)
+{
+    double sum = 0;
+    *least = 0;
+    for (size_t i = 0; i < triangles->corners.num; i += 3) {
+        const struct csg_vec2 a = drawing->points.data[triangles->corners.data[i]];
+        const struct csg_vec2 b = drawing->points.data[triangles->corners.data[i + 1]];
+        const struct csg_vec2 c = drawing->points.data[triangles->corners.data[i + 2]];
+        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        sum += 0.5 * twice;
+        *least = fmin(*least, twice);
+    }
+    return sum;
+}
+
 /* Together they are as large as the outline; none looks down, unless the outline touches itself. */
 static void check_triangles(const struct csg_drawing *drawing, double area, int seed)
 {
     struct csg_triangles triangles = {0};
     const struct csg_figure *figure = &drawing->figures.data[drawing->nodes.data[0].figure];
-    double sum = 0, least = 0;
+    double least;
     if (drawing->points.num > 4000)
         return;
     CHECK(csg_figure_triangulate(drawing, figure, &triangles), "seed %d", seed);
-    for (size_t i = 0; i < triangles.corners.num; i += 3) {
-        const struct csg_vec2 a = drawing->points.data[triangles.corners.data[i]];
-        const struct csg_vec2 b = drawing->points.data[triangles.corners.data[i + 1]];
-        const struct csg_vec2 c = drawing->points.data[triangles.corners.data[i + 2]];
-        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        sum += 0.5 * twice;
-        least = fmin(least, twice);
-    }
+    const double sum = area_of(drawing, &triangles, &least);
     const bool on_grid = seed % 2 == 0;
     CHECK((least > -1e-9 || on_grid) && fabs(sum - area) < 1e-9,
           "seed %d: triangles of %g, outline %g; %g", seed, sum, area, least);
@@ -269,15 +262,8 @@ static double seconds_of_triangles(const struct csg_drawing *drawing, size_t num
     const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     CHECK(triangles.corners.num == 3 * (drawing->points.num + 2 * num_holes - 2), "%zu corners",
           triangles.corners.num);
-    double sum = 0, least = 0;
-    for (size_t i = 0; i < triangles.corners.num; i += 3) {
-        const struct csg_vec2 a = drawing->points.data[triangles.corners.data[i]];
-        const struct csg_vec2 b = drawing->points.data[triangles.corners.data[i + 1]];
-        const struct csg_vec2 c = drawing->points.data[triangles.corners.data[i + 2]];
-        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        sum += 0.5 * twice;
-        least = fmin(least, twice);
-    }
+    double least;
+    const double sum = area_of(drawing, &triangles, &least);
     CHECK(least == 0 && fabs(sum - area) < 1e-9 * area, "triangles of %g, figure %g; %g", sum, area,
           least);
     free(triangles.corners.data);
