@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * llvmpipe ends the loops of a fragment program after 65,535 turns, without a word, and counts them
- * for all the pixels that it draws at once: a turn that one of them takes counts for each. So a
+ * for all the pixels that it draws at once: a turn that one of them takes counts for each, and the
+ * end of a loop, also one that none of them enters, is a turn. So a
  * pixel counts no turns of its own, but for each look at the records the most that a pixel can take
  * (each, of csg_object). Where the next look may be one too many the program gives up, and the CPU
  * casts the pixel.

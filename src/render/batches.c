@@ -110,7 +110,7 @@ static void note_choice(struct csg_batches *batches, struct csgcast_renderer *re
     batches->may_give_up |= choice->resolver == CSG_RESOLVER_CPU;
     if (!may_loop)
         return;
-    const struct csg_turns turns = csg_turns_of(&renderer->frame, draw);
+    const struct csg_turns turns = csg_turns_of(&renderer->frame, draw, choice->features);
     draw->instance.turns = (int32_t)fmin(turns.look, CSG_MAX_TURNS);
     batches->may_give_up |= csg_may_give_up(draw, &turns);
 }

@@ -233,10 +233,20 @@ static int max_point(struct csg_gl *gl)
     return (int)range[1];
 }
 
+/* After an edit a program that can do more may take the place of the one that is asked for. */
+static int possible_features(const struct csg_request *request, const struct csg_draw *draw)
+{
+    if (request->after_edit)
+        return CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS;
+    return csg_view_features(draw) |
+           (!draw->tile && request->scene->has_surfaces ? CSG_FEATURE_SURFACE : 0);
+}
+
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,
                         struct csg_choice *choice)
 {
     choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point;
+    choice->features = possible_features(chooser->request, draw);
     choice->program = choose_program(chooser, draw, &choice->resolver);
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }

@@ -11,8 +11,9 @@
 struct csg_choice {
     GLuint program, rear; /* rear: of the far side, 0: it does not show */
     enum csg_resolver resolver;
-    bool point;  /* drawn as a point */
-    bool placed; /* it has its batch */
+    int features; /* enum csg_feature: what these programs may have loops for */
+    bool point;   /* drawn as a point */
+    bool placed;  /* it has its batch */
 };
 
 struct csg_chooser;

@@ -1,13 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 #include "render/turns.h"
 
-/* Of csg_program_next's loop around a record and csg_clip_planes' around its planes, which turn
- * once more to end. */
+#include "shader/source.h"
+
+/*
+ * Of csg_program_next's loop around a record, and of the two loops each that csg_clip_planes,
+ * csg_surface_at and csg_bands_at have: a loop turns once more to end, also where no pixel enters
+ * it.
+ */
+static double ending_turns(int features)
+{
+    return 3 + (features & CSG_FEATURE_SURFACE ? 2 : 0) + (features & CSG_FEATURE_BANDS ? 2 : 0);
+}
+
+/* The others. */
 static double record_turns(const float *head)
 {
     const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-    const double longest = flags & CSG_RECORD_SURFACE ? (double)head[4 * 2 + 1] : 0;
-    return flags & CSG_RECORD_SURFACE ? 3 + longest : 3 + (entries + 1) / 2 + (exits + 1) / 2;
+    return flags & CSG_RECORD_SURFACE ? (double)head[4 * 2 + 1]
+                                      : (entries + 1) / 2 + (exits + 1) / 2;
 }
 
 static double record_crossings(const float *head)
@@ -22,7 +33,8 @@ static int32_t record_size(const float *head, bool precise)
     return 1 + (precise && !(flags & CSG_RECORD_SURFACE) ? 2 : 1) * csg_record_terms(head);
 }
 
-struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw)
+struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw,
+                              int features)
 {
     struct csg_turns turns = {2, 3};
     if (draw->walk)
@@ -32,7 +44,7 @@ struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_dr
         const float *head = frame->texels.data + 4 * (size_t)p;
         const int flags = (int)head[2];
         group = flags & CSG_RECORD_PUSH ? turns.look : group;
-        turns.look += record_turns(head);
+        turns.look += ending_turns(features) + record_turns(head);
         if (flags & CSG_RECORD_POP) {
             turns.look += CSG_MAX_AGAIN * (turns.look - group);
             group = turns.look;

@@ -11,7 +11,9 @@ struct csg_turns {
     double looks; /* a ray cannot stop more often than it has crossings */
 };
 
-struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw);
+/* features: enum csg_feature, that its program may have. */
+struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw,
+                              int features);
 
 /* Whether some pixel may run out of turns; turns: the draw's. */
 bool csg_may_give_up(const struct csg_draw *draw, const struct csg_turns *turns);
