@@ -45,7 +45,8 @@ const char *csg_openscad_remedy(int error);
 
 /*
  * Passes on the lines that openscad printed, prefix in front of each; those that only say how far
- * the work is just where it failed. Returns whether one of them means that the result is
+ * the work is just where it failed, and of very many the first and the last ones, but all of what
+ * the scene echoes. Returns whether one of them means that the result is
  * incomplete. Leaves messages as they were.
  */
 bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct csg_bytes *messages,

@@ -7,6 +7,9 @@
 #include "common/array.h"
 #include "scene/digits.h"
 
+/* More of one run than anybody reads: the first tell what began, the last what ended it. */
+enum { MAX_FIRST = 100, MAX_LAST = 20 };
+
 struct message_rule {
     const char *begin; /* of a line */
     enum csgcast_log_level level;
@@ -71,9 +74,16 @@ static bool is_of_digits(const char *line, size_t length)
     return strncmp(begin, line, sizeof begin - 1) == 0 && contains(line, length, csg_digits_module);
 }
 
-/* Returns whether the line means that the scene is incomplete. */
-static bool pass_on_line(const struct csg_log *log, const char *prefix, const char *line,
-                         size_t length, bool failed)
+struct message {
+    const char *line;
+    size_t length;
+    bool counts; /* of many that do, those in the middle are left out; what a scene echoes is not */
+    bool fatal;  /* the scene is incomplete */
+    enum csgcast_log_level level;
+};
+
+/* false: the line is not shown. */
+static bool read_message(const char *line, size_t length, bool failed, struct message *message)
 {
     const struct message_rule *rule = rules;
     while (rule->begin && strncmp(rule->begin, line, strlen(rule->begin)) != 0)
@@ -81,10 +91,54 @@ static bool pass_on_line(const struct csg_log *log, const char *prefix, const ch
     if (length == 0 || (!rule->begin && !failed) || is_of_digits(line, length))
         return false;
     const bool is_error = rule->begin && strcmp(rule->begin, "ERROR:") == 0;
+    const bool is_echo = rule->begin && strcmp(rule->begin, "ECHO:") == 0;
     const bool fatal = is_error && is_fatal(line, length);
-    csg_log_print(log, fatal || (is_error && failed) ? CSGCAST_LOG_ERROR : rule->level,
-                  CSGCAST_MESSAGE_OPENSCAD, "%sopenscad: %.*s", prefix, (int)length, line);
-    return fatal;
+    *message = (struct message){line, length < INT16_MAX ? length : INT16_MAX, !is_echo, fatal,
+                                fatal || (is_error && failed) ? CSGCAST_LOG_ERROR : rule->level};
+    return true;
+}
+
+/* The next message from *at on; false: there is none. */
+static bool next_message(const char **at, const char *end, bool failed, struct message *message)
+{
+    bool found = false;
+    while (*at < end && !found) {
+        const char *line = *at, *newline = memchr(line, '\n', (size_t)(end - line));
+        const char *line_end = newline ? newline : end;
+        found = read_message(line, (size_t)(line_end - line), failed, message);
+        *at = newline ? newline + 1 : end;
+    }
+    return found;
+}
+
+static size_t count_messages(const char *at, const char *end, bool failed)
+{
+    struct message message;
+    size_t num = 0;
+    while (next_message(&at, end, failed, &message))
+        num += message.counts;
+    return num;
+}
+
+/* Returns whether some of them means that the scene is incomplete. */
+static bool pass_on_messages(const struct csg_log *log, const char *prefix, const char *at,
+                             const char *end, bool failed)
+{
+    const size_t num = count_messages(at, end, failed);
+    const size_t left_out = num > MAX_FIRST + MAX_LAST ? num - MAX_FIRST - MAX_LAST : 0;
+    struct message message;
+    bool is_incomplete = false;
+    for (size_t i = 0; next_message(&at, end, failed, &message); i += message.counts) {
+        is_incomplete |= message.fatal;
+        if (message.counts && i == MAX_FIRST && left_out > 0)
+            csg_log_print(log, CSGCAST_LOG_WARNING, CSGCAST_MESSAGE_OPENSCAD,
+                          "%sopenscad: (%zu more messages; openscad itself shows them)", prefix,
+                          left_out);
+        if (!message.counts || i < MAX_FIRST || i >= MAX_FIRST + left_out)
+            csg_log_print(log, message.level, CSGCAST_MESSAGE_OPENSCAD, "%sopenscad: %.*s", prefix,
+                          (int)message.length, message.line);
+    }
+    return is_incomplete;
 }
 
 /* Warnings of openscad do not tell why a word is unknown. */
@@ -107,18 +161,11 @@ static void name_newer_words(const struct csg_log *log, const char *prefix,
 bool csg_openscad_pass_on(const struct csg_log *log, const char *prefix, struct csg_bytes *messages,
                           bool failed)
 {
-    bool is_incomplete = false;
     if (!csg_array_push(messages, '\0')) /* comparing a line's begin does not run out of it */
         return !csg_log_memory(log);
     messages->num--;
-    const char *line = messages->data, *end = line + messages->num;
-    while (line < end) {
-        const char *newline = memchr(line, '\n', (size_t)(end - line));
-        const size_t length = (size_t)((newline ? newline : end) - line);
-        is_incomplete |=
-            pass_on_line(log, prefix, line, length < INT16_MAX ? length : INT16_MAX, failed);
-        line = newline ? newline + 1 : end;
-    }
+    const char *end = messages->data + messages->num;
+    const bool is_incomplete = pass_on_messages(log, prefix, messages->data, end, failed);
     name_newer_words(log, prefix, messages);
     return is_incomplete;
 }

@@ -50,6 +50,19 @@ static const struct stand_in stand_ins[] = {
      "i=0; while test $i -lt 3000; do echo \"noise noise noise noise noise noise $i\" >&2; "
      "i=$((i + 1)); done; echo 'cube(size = [1, 1, 1]);' > \"$2\"",
      true, "!noise"},
+    {"fails with a lot",
+     "i=0; while test $i -lt 3000; do echo \"noise $i;\" >&2; i=$((i + 1)); done; exit 1", false,
+     "openscad: noise 99;\n!noise 100;\n(2880 more messages\n!noise 2979;\nopenscad: noise 2980;\n"
+     "openscad: noise 2999;\n(exit status 1)"},
+    {"dies at the middle of a lot",
+     "i=0; while test $i -lt 3000; do echo \"WARNING: $i;\" >&2; "
+     "test $i = 1500 && echo 'ERROR: Recursion detected' >&2; i=$((i + 1)); done; "
+     "echo 'cube(size = [1, 1, 1]);' > \"$2\"",
+     false, "(2881 more messages\n!WARNING: 1500;\nerror: cannot flatten"},
+    {"echoes a lot",
+     "i=0; while test $i -lt 3000; do echo \"ECHO: $i;\"; i=$((i + 1)); done; "
+     "echo 'cube(size = [1, 1, 1]);' > \"$2\"",
+     true, "ECHO: 1500;\n!more messages"},
 };
 
 static void add_message(void *user, enum csgcast_log_level level, enum csgcast_message id,
