@@ -100,9 +100,12 @@
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
-/* Literals of a chain, and planes of either sense that each may have. */
+/* Literals of a chain, and planes of either sense that each may have; more where there are few and
+ * none has a quadric. */
 #define CSG_CHAIN_LITERALS 5
 #define CSG_CHAIN_PLANES 2
+#define CSG_CHAIN_FACETED_LITERALS 3
+#define CSG_CHAIN_FACETED_PLANES 4
 
 /* In a chain's slot: the complement of a leaf. The rest is the code of its quadric. */
 #define CSG_CHAIN_NEGATED 128

@@ -1,22 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A chain: a solid, and a few solids and complements, that must all be true. They have two entry
- * planes, two exit planes and perhaps a quadric at most; the vertex stage hands all of it over, of
- * the longest chain as much as there is room for, and fragments read the rest once. Literals stand
- * in the order in which csg_choose prefers them. src/shader/chain.c unrolls the chain over these
- * functions.
+ * planes, two exit planes and perhaps a quadric at most, or four of each and no quadric; the vertex
+ * stage hands all of it over, of the longest chain as much as there is room for, and fragments read
+ * the rest once. Literals stand in the order in which csg_choose prefers them. src/shader/chain.c
+ * unrolls the chain over these functions, with CSG_SLOT_PLANES of each.
  */
 
-/* CSG_ONE_PLANE_A_SIDE: e1 and x1 are none. */
-csg_span csg_chain_planes(vec4 e0, vec4 e1, vec4 x0, vec4 x1, vec2 d)
+csg_span csg_chain_planes(vec4 entries[CSG_SLOT_PLANES], vec4 exits[CSG_SLOT_PLANES], vec2 d)
 {
     csg_span span = csg_whole_ray();
-    csg_enter(csg_plane(e0, d), 0, span);
-    csg_leave(csg_plane(x0, d), 2, span);
-#ifndef CSG_ONE_PLANE_A_SIDE
-    csg_enter(csg_plane(e1, d), 1, span);
-    csg_leave(csg_plane(x1, d), 3, span);
-#endif
+    for (int i = 0; i < CSG_SLOT_PLANES; i++) {
+        csg_enter(csg_plane(entries[i], d), i, span);
+        csg_leave(csg_plane(exits[i], d), i, span);
+    }
     return span;
 }
 

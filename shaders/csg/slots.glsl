@@ -15,10 +15,10 @@ int csg_slot_number(vec4 plane, int place)
 /*
  * The record at p, p moves past it; beyond the last one, the complement of a solid that no ray
  * meets, in the first one's clause. head: flags, and where the normals are, as csg_normals_of has
- * it.
+ * it; of the planes only those have numbers that can show: entries, or exits of a complement.
  */
-void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out vec4 e1, out vec4 x0,
-                   out vec4 x1, out bool has_quadric)
+void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e[CSG_SLOT_PLANES],
+                   out vec4 x[CSG_SLOT_PLANES], out bool has_quadric)
 {
 #ifdef CSG_HAS_CLAUSES
     p += p < object.y && (int(csg_texel(p).z) & CSG_RECORD_POP) != 0 ? 1 : 0;
@@ -28,15 +28,12 @@ void csg_read_slot(inout int p, ivec2 object, out vec3 head, out vec4 e0, out ve
     vec4 record = csg_texel(at);
     int entries = has ? int(record.x) : 0, exits = has ? int(record.y) : 0;
     bool negated = !has || (int(record.z) & CSG_RECORD_NEGATED) != 0;
-    e0 = csg_slot_plane(at + 1, entries > 0, has ? -CSG_KEY_MAX : CSG_KEY_MAX);
-    x0 = csg_slot_plane(at + 1 + entries, exits > 0, CSG_KEY_MAX);
-    int numbers = csg_slot_number(e0, 0) | csg_slot_number(x0, 2);
-    e1 = x1 = vec4(0.0);
-#ifndef CSG_ONE_PLANE_A_SIDE
-    e1 = csg_slot_plane(at + 2, entries > 1, -CSG_KEY_MAX);
-    x1 = csg_slot_plane(at + 2 + entries, exits > 1, CSG_KEY_MAX);
-    numbers |= csg_slot_number(e1, 1) | csg_slot_number(x1, 3);
-#endif
+    int numbers = 0;
+    for (int i = 0; i < CSG_SLOT_PLANES; i++) {
+        e[i] = csg_slot_plane(at + 1 + i, entries > i, has ? -CSG_KEY_MAX : CSG_KEY_MAX);
+        x[i] = csg_slot_plane(at + 1 + entries + i, exits > i, CSG_KEY_MAX);
+        numbers |= csg_slot_number(negated ? x[i] : e[i], i);
+    }
     int clause = int(record.z) / CSG_RECORD_CLAUSE * CSG_CHAIN_CLAUSE;
     head = vec3(float(clause + (negated ? CSG_CHAIN_NEGATED : 0)), record.w, float(numbers));
     has_quadric = has && (int(record.z) & CSG_RECORD_QUADRIC) != 0;

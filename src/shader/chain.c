@@ -7,6 +7,10 @@
 const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {.slots = 2, .handed = 2, .planes = 2, .colors = true},
     {.slots = 5, .handed = 5, .planes = 2, .colors = true},
+    {.slots = CSG_CHAIN_FACETED_LITERALS,
+     .handed = CSG_CHAIN_FACETED_LITERALS,
+     .planes = CSG_CHAIN_FACETED_PLANES,
+     .colors = true},
     {2, 2, 1, .quadrics = true, .flat = true, .colors = true, .normals = true},
     {2, 2, 2, .quadrics = true, .colors = true, .normals = true},
     {3, 3, 1, .quadrics = true, .flat = true, .colors = true, .normals = true},
@@ -17,13 +21,16 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {5, 4, 2, .quadrics = true, .clauses = true},
 };
 
-/* A slot's numbers, variable and component: its planes e f x y, its head h, its quadric q r s, of
- * which the code q.w is part of h.x, and for colours its colour t and the terms u v w of its
- * quadric's normal. */
-static const char numbers[][3] = {"ex", "ey", "ez", "fx", "fy", "fz", "xx", "xy", "xz", "yx",
-                                  "yy", "yz", "hx", "hy", "hz", "qx", "qy", "qz", "rx", "ry",
-                                  "rz", "rw", "sx", "sy", "sz", "sw", "tx", "ty", "tz", "ux",
-                                  "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"};
+/* A slot's numbers, the letter of a variable and what is taken of that: its planes e and x, its
+ * head h, its quadric q r s, of which the code q.w is part of h.x, and for colours its colour t and
+ * the terms u v w of its quadric's normal. */
+static const char numbers[][7] = {
+    "e[0].x", "e[0].y", "e[0].z", "e[1].x", "e[1].y", "e[1].z", "e[2].x", "e[2].y", "e[2].z",
+    "e[3].x", "e[3].y", "e[3].z", "x[0].x", "x[0].y", "x[0].z", "x[1].x", "x[1].y", "x[1].z",
+    "x[2].x", "x[2].y", "x[2].z", "x[3].x", "x[3].y", "x[3].z", "h.x",    "h.y",    "h.z",
+    "q.x",    "q.y",    "q.z",    "r.x",    "r.y",    "r.z",    "r.w",    "s.x",    "s.y",
+    "s.z",    "s.w",    "t.x",    "t.y",    "t.z",    "u.x",    "u.y",    "u.z",    "v.x",
+    "v.y",    "v.z",    "w.x",    "w.y",    "w.z"};
 #define NUM_NAMES (sizeof numbers / sizeof *numbers)
 
 static bool has_quadric(const struct csg_chain *chain, int slot)
@@ -34,9 +41,9 @@ static bool has_quadric(const struct csg_chain *chain, int slot)
 static bool is_handed(const struct csg_chain *chain, int slot, const char *number)
 {
     switch (*number) {
-    case 'f':
-    case 'y':
-        return chain->planes > 1;
+    case 'e':
+    case 'x':
+        return number[2] - '0' < chain->planes;
     case 'q':
     case 'r':
     case 's':
@@ -100,16 +107,16 @@ bool csg_chain_fits(int i, const struct csg_chain_need *needed)
 
 bool csg_chain_is_general(int i)
 {
-    return csg_chains[i].planes == CSG_CHAIN_PLANES && !csg_chains[i].flat;
+    return csg_chains[i].planes >= CSG_CHAIN_PLANES && !csg_chains[i].flat;
 }
 
 /* Variables of a slot. */
 static void add_slot(struct csg_text *text, const struct csg_chain *chain, int i)
 {
     csg_text_add(text,
-                 "    vec4 e%d, f%d = vec4(0.0), x%d, y%d = vec4(0.0);\n"
+                 "    vec4 e%d[CSG_SLOT_PLANES], x%d[CSG_SLOT_PLANES];\n"
                  "    vec3 h%d;\n",
-                 i, i, i, i, i);
+                 i, i, i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    vec4 q%d, r%d, s%d;\n", i, i, i);
     if (chain->colors)
@@ -123,8 +130,7 @@ static void add_reading(struct csg_text *text, const struct csg_chain *chain, in
 {
     add_slot(text, chain, i);
     csg_text_add(text, "    bool b%d;\n", i);
-    csg_text_add(text, "    csg_read_slot(p, object.xy, h%d, e%d, f%d, x%d, y%d, b%d);\n", i, i, i,
-                 i, i, i);
+    csg_text_add(text, "    csg_read_slot(p, object.xy, h%d, e%d, x%d, b%d);\n", i, i, i, i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    csg_read_slot_quadric(p, b%d, h%d, q%d, r%d, s%d);\n", i, i, i, i,
                      i);
@@ -140,7 +146,7 @@ static void add_number(struct csg_text *text, const struct csg_chain *chain, siz
     for (int i = 0; i < chain->handed; i++) {
         const struct slot slot = find_slot(chain, i);
         if (j < slot.size) {
-            csg_text_add(text, "%c%d.%c", slot.numbers[j][0], i, slot.numbers[j][1]);
+            csg_text_add(text, "%c%d%s", slot.numbers[j][0], i, slot.numbers[j] + 1);
             return;
         }
         j -= slot.size;
@@ -198,8 +204,7 @@ static void add_slots(struct csg_text *text, const struct csg_chain *chain)
 /* Where the ray is inside of the slot's solid. */
 static void add_span(struct csg_text *text, const struct csg_chain *chain, int i)
 {
-    csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, f%d, x%d, y%d, d);\n", i, i, i, i,
-                 i);
+    csg_text_add(text, "    csg_span l%d = csg_chain_planes(e%d, x%d, d);\n", i, i, i);
     if (has_quadric(chain, i))
         csg_text_add(text, "    csg_clip_quadric(csg_quadric(q%d, r%d, s%d, d), 4, l%d);\n", i, i,
                      i, i);

@@ -297,8 +297,8 @@ struct csg_stages csg_source_geometry_chain(int i, int features)
     start_geometry(&vertex, &fragment, CSG_RESOLVER_CHAIN, features);
     if (chain.clauses)
         define(&vertex, &fragment, "CSG_HAS_CLAUSES");
-    if (chain.planes == 1)
-        define(&vertex, &fragment, "CSG_ONE_PLANE_A_SIDE");
+    csg_text_add(&vertex, "#define CSG_SLOT_PLANES %d\n", chain.planes);
+    csg_text_add(&fragment, "#define CSG_SLOT_PLANES %d\n", chain.planes);
     add_file(&vertex, "csg/slots.glsl");
     if (chain.slots > chain.handed)
         add_file(&fragment, "csg/slots.glsl");

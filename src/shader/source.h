@@ -65,7 +65,7 @@ struct csg_chain {
                            * shaders/csg/clauses.glsl */
 };
 
-#define CSG_NUM_CHAINS 10
+#define CSG_NUM_CHAINS 11
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
 /* Chain i as programs have it: those that write no colours ask for none. */

@@ -17,11 +17,11 @@ static uint64_t rank_of(const struct csg_step *step)
     return step->leaf + (step->flags & CSG_RECORD_NEGATED ? (uint64_t)1 << 32 : 0);
 }
 
-/* Whether a slot has room for the record. */
-static bool fits_slot(const float *head)
+/* Whether a slot with so many planes of either sense has room for the record. */
+static bool fits_slot(const float *head, int planes)
 {
     const int entries = (int)head[0], exits = (int)head[1], flags = (int)head[2];
-    if (flags & NOT_IN_CHAINS || entries > CSG_CHAIN_PLANES || exits > CSG_CHAIN_PLANES)
+    if (flags & NOT_IN_CHAINS || entries > planes || exits > planes)
         return false;
     for (int i = 0; i < entries + exits; i++)
         if (fabsf(head[4 * (1 + i) + 3]) > MAX_NUMBER + 1)
@@ -47,7 +47,8 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
     need->clauses |= need->slots == 0 && flags >= CSG_RECORD_CLAUSE;
     if (finder->broken || (need->clauses && flags & CSG_RECORD_POP))
         return;
-    finder->broken = need->slots == CSG_CHAIN_LITERALS || !fits_slot(head) ||
+    const int planes = finder->faceted ? CSG_CHAIN_FACETED_PLANES : CSG_CHAIN_PLANES;
+    finder->broken = need->slots == CSG_CHAIN_LITERALS || !fits_slot(head, planes) ||
                      (!need->clauses && !is_link(finder, step));
     finder->rank = rank_of(step);
     need->flat |= need->slots == 0 && !(flags & CSG_RECORD_QUADRIC);
@@ -55,9 +56,16 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
     need->slots++;
 }
 
+/* Whether there is a program for that many planes. */
+static bool has_program(const struct csg_chain_need *need)
+{
+    return need->planes <= CSG_CHAIN_PLANES ||
+           (need->slots <= CSG_CHAIN_FACETED_LITERALS && !need->quadrics && !need->clauses);
+}
+
 struct csg_chain_need csg_chain_end(const struct csg_chain_finder *finder)
 {
     struct csg_chain_need need = finder->need;
-    need.slots = finder->broken ? 0 : need.slots;
+    need.slots = finder->broken || !has_program(&need) ? 0 : need.slots;
     return need;
 }

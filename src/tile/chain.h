@@ -8,6 +8,7 @@
 #include "pack/frame.h"
 
 struct csg_chain_finder {
+    bool faceted;               /* there may be a program for many planes */
     struct csg_chain_need need; /* slots: of the records so far */
     uint64_t rank;              /* of the last one */
     bool broken;                /* they are none */

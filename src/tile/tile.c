@@ -97,7 +97,7 @@ static bool is_surface_alone(const struct csg_tiler *tiler)
 static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *task,
                         struct csg_draw *draw)
 {
-    struct csg_chain_finder chain = {.rank = 0};
+    struct csg_chain_finder chain = {.faceted = !tiler->terms->params->few_programs};
     const struct csg_frame *frame = tiler->terms->frame;
     if (!csg_scan_fill(&tiler->scan, tiler->terms, &task->tree, tiler->ranges.data,
                        !draw->around_eye))
@@ -173,7 +173,7 @@ static bool may_cut_corner(const struct csg_tiler *tiler, const struct csg_tile_
 static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                             const struct csg_draw *draw, size_t num_leaves)
 {
-    return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES &&
+    return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES && draw->chain.slots == 0 &&
            num_leaves <= CSG_CHAIN_LITERALS && !draw->surface && !draw->bands &&
            (!is_small(task) || may_cut_corner(tiler, task)) &&
            planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;

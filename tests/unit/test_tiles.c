@@ -22,6 +22,10 @@ static const struct example examples[] = {
      "multmatrix([[1, 0, 0, 0.8], [0, 1, 0, 0.8], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cube([2.4, 2.4, 6]);",
      512, 10},
+    {"holes of eight sides",
+     "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) "
+     "cylinder($fn = 8, h = 6, r1 = 1.4, r2 = 1.4);",
+     512, 20},
     {"round holes",
      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) "
      "cylinder(h = 6, r1 = 1.4, r2 = 1.4);",
