@@ -15,17 +15,11 @@ struct csg_plane csg_own_plane(const struct csg_surface *surface, uint32_t face,
     return plane;
 }
 
-static bool is_same_plane(const struct csg_plane *a, const struct csg_plane *b)
-{
-    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
-           a->offset == b->offset;
-}
-
 /* Of faces that lie upon no other one only those that follow each other share their plane. */
 static void fill_own(struct csg_surface *surface, const uint8_t *near, uint32_t i)
 {
     const struct csg_plane *planes = surface->planes.data;
-    surface->own[i] = i > 0 && !near[i - 1] && is_same_plane(&planes[i - 1], &planes[i])
+    surface->own[i] = i > 0 && !near[i - 1] && csg_plane_is_same(&planes[i - 1], &planes[i])
                           ? surface->own[i - 1]
                           : (struct csg_own_face){i, false};
 }

@@ -24,12 +24,6 @@ static bool turn(struct csg_plane *plane)
     return is_turned;
 }
 
-static bool is_same(const struct csg_plane *a, const struct csg_plane *b)
-{
-    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
-           a->offset == b->offset;
-}
-
 static size_t hash_of(const struct csg_plane *plane)
 {
     const double numbers[4] = {plane->normal.x, plane->normal.y, plane->normal.z, plane->offset};
@@ -58,7 +52,8 @@ static struct csg_plane_slot *slot_of(const struct csg_plane_table *table,
     const uint32_t tag = (uint32_t)hash;
     for (size_t i = place_of(table, hash);; i = (i + 1) & (table->room - 1)) {
         struct csg_plane_slot *slot = &table->slots[i];
-        if (slot->place == 0 || (slot->tag == tag && is_same(plane_in(table, slot), plane)))
+        if (slot->place == 0 ||
+            (slot->tag == tag && csg_plane_is_same(plane_in(table, slot), plane)))
             return slot;
     }
 }

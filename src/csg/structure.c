@@ -14,18 +14,14 @@ static const struct csg_shape *shape_of(const struct csg_structure *structure, s
     return &structure->scene->leaves[structure->steps[step].leaf].shape;
 }
 
-static bool is_pop(const struct csg_structure *structure, size_t step)
-{
-    return structure->steps[step].flags & CSG_RECORD_POP;
-}
-
 bool csg_structure_is_small(const struct csg_structure *structure)
 {
     if (structure->num > CSG_STRAIGHT_MAX_STEPS)
         return false;
     for (size_t i = 0; i < structure->num; i++)
         if (structure->steps[i].flags & CSG_RECORD_SURFACE ||
-            (!is_pop(structure, i) && shape_of(structure, i)->num_planes > CSG_STRAIGHT_MAX_PLANES))
+            (!csg_structure_is_pop(structure, i) &&
+             shape_of(structure, i)->num_planes > CSG_STRAIGHT_MAX_PLANES))
             return false;
     return true;
 }
@@ -36,13 +32,14 @@ static uint64_t hash_of(const struct csg_structure *structure)
     uint64_t hash = CSG_HASH_START;
     for (size_t i = 0; i < structure->num; i++) {
         hash = csg_hash_number(hash, structure->steps[i].flags);
-        if (is_pop(structure, i))
+        if (csg_structure_is_pop(structure, i))
             continue;
         const struct csg_shape *shape = shape_of(structure, i);
         hash = csg_hash_number(hash, 2 * shape->num_planes + csg_shape_is_paired(shape));
         size_t rank = 0;
         for (size_t j = 0; j < i; j++)
-            rank += !is_pop(structure, j) && structure->steps[j].leaf < structure->steps[i].leaf;
+            rank += !csg_structure_is_pop(structure, j) &&
+                    structure->steps[j].leaf < structure->steps[i].leaf;
         hash = csg_hash_number(hash, rank);
     }
     return hash;

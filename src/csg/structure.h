@@ -25,6 +25,12 @@ struct csg_structure {
     const struct csgcast_scene *scene;
 };
 
+/* Whether a step has no leaf. */
+static inline bool csg_structure_is_pop(const struct csg_structure *structure, size_t step)
+{
+    return structure->steps[step].flags & CSG_RECORD_POP;
+}
+
 bool csg_structure_is_small(const struct csg_structure *structure);
 
 /* Finds the plan's common structures; its steps are there. false: out of memory. */

@@ -22,17 +22,13 @@ struct leaf_code {
     bool normals; /* the places of its normals are handed over, as n0, n1, ... by step */
 };
 
-static bool is_pop(const struct csg_structure *structure, size_t step)
-{
-    return structure->steps[step].flags & CSG_RECORD_POP;
-}
-
 /* Number of the object's leaves that come earlier in the file. */
 static unsigned rank_of(const struct csg_structure *structure, size_t step)
 {
     unsigned rank = 0;
     for (size_t i = 0; i < structure->num; i++)
-        rank += !is_pop(structure, i) && structure->steps[i].leaf < structure->steps[step].leaf;
+        rank += !csg_structure_is_pop(structure, i) &&
+                structure->steps[i].leaf < structure->steps[step].leaf;
     return rank;
 }
 
@@ -65,7 +61,7 @@ static void add_normals(struct parameters *parameters, const struct csg_structur
 {
     bool second = false;
     for (size_t i = 0; i < structure->num; i++) {
-        if (is_pop(structure, i))
+        if (csg_structure_is_pop(structure, i))
             continue;
         const size_t input = second ? parameters->num_handed - 1 : parameters->num_handed++;
         const char *format = second
@@ -124,7 +120,7 @@ static void add_spans(struct parameters *parameters, const struct csg_structure 
 {
     struct csg_text *text = parameters->fragment;
     for (size_t i = 0; i < structure->num; i++) {
-        if (is_pop(structure, i))
+        if (csg_structure_is_pop(structure, i))
             continue;
         csg_text_add(text, "    csg_span s%zu = csg_whole_ray();\n", i);
         for (size_t plane = 0; plane < leaves[i].num_planes; plane++) {
@@ -149,7 +145,7 @@ static void fill_leaves(const struct csg_structure *structure, struct leaf_code 
     for (size_t i = 0; i < structure->num; i++) {
         const uint32_t flags = structure->steps[i].flags;
         leaves[i] = (struct leaf_code){.record = record++, .gap = flags & CSG_RECORD_GAP};
-        if (is_pop(structure, i))
+        if (csg_structure_is_pop(structure, i))
             continue;
         leaves[i].rank = rank_of(structure, i);
         const struct csg_shape *shape = &structure->scene->leaves[structure->steps[i].leaf].shape;

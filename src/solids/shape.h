@@ -19,6 +19,13 @@ struct csg_plane {
     double offset;
 };
 
+/* To the last bit. */
+static inline bool csg_plane_is_same(const struct csg_plane *a, const struct csg_plane *b)
+{
+    return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
+           a->offset == b->offset;
+}
+
 /*
  * Inside: f(p) <= 0 with p = to_canon(x) and the normal form (Sigg et al. 2006, eq. 1, with a
  * linear term for the paraboloids)
