@@ -11,7 +11,8 @@
 #define MOST_ROOM 16
 
 /* Where more than this part of the leaves change, as all do in an animation, the carriers of all
- * are sooner found anew than those of the changed ones taken out of the index and put into it. */
+ * are sooner found anew than those of the changed ones taken out of the index and put into it. Not
+ * so of surfaces of triangles, most of whose faces are near nothing and are in no index. */
 #define MAX_PART 2
 
 static void *copy_of(const void *data, size_t num, size_t size)
@@ -315,7 +316,7 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                         .before = before,
                                         .builder = before->scene->carriers->kept,
                                         .is_same = before->objects != NULL};
-    if (before->num > scene->num_leaves / MAX_PART)
+    if (before->num > scene->num_leaves / MAX_PART && !before->scene->has_surfaces)
         return csg_carriers_create(scene, false);
     if (!change.builder)
         return csg_carriers_create(scene, true);
