@@ -195,8 +195,8 @@ static bool put_shapes(struct session *session, struct csg_reading *reading)
         if (!patch)
             return false;
         if (reading->num > 0)
-            csg_patch_set_shape(patch, reading->scene->leaves[i].kind,
-                                &reading->origins.data[i].shape);
+            csg_patch_set_shape(patch, reading->scene->leaves[reading->begin + i].kind,
+                                &reading->origins.data[reading->begin + i].shape);
         else
             patch->origin.is_nothing = true;
     }

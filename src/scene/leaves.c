@@ -318,6 +318,8 @@ bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t e
         done = is_off(builder, i) || visit(&walk, i);
         i = next_node(builder, i);
     }
+    if (builder->origins)
+        builder->origins->are_placed |= walk.base.was_placed;
     csg_arguments_finish(&walk.base.arguments);
     free(walk.frames.data);
     return done;

@@ -112,7 +112,8 @@ static bool add_node(struct csg_excerpt *excerpt, const struct csg_node_texts *t
     struct csg_parsed_node copy = texts->document.nodes.data[node];
     copy.end -= begin;
     copy.twin = CSG_NO_TWIN;
-    copy.modifiers &= (uint8_t)~CSG_MODIFIER_ROOT; /* it has been obeyed */
+    if (begin > 0)
+        copy.modifiers &= (uint8_t)~CSG_MODIFIER_ROOT; /* it has been obeyed */
     if (texts->arguments[node])
         copy.place = (struct csg_place){0, 1};
     return write_node(&excerpt->text, texts, node, copy.modifiers, &copy.at) &&

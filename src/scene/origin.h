@@ -31,6 +31,7 @@ struct csg_origins {
     struct csg_origin *data; /* by leaf */
     size_t num, capacity;
     CSG_ARRAY(struct csg_part_place) places; /* by layer, in the order of the trees */
+    bool are_placed;                         /* some shape depends on what is around its node */
 };
 
 /* OpenSCAD knows a colour of which components are unset; here it is set or not. */

@@ -17,29 +17,56 @@ static struct csg_space own_space(const struct csg_patch *patch)
     return space;
 }
 
-static bool read_node(struct csg_reading *reading, const struct csgcast_scene *scene,
-                      const struct csg_patch *patch, const struct csg_document *document)
+/* Reads the nodes from begin on, below end. space: around them; NULL: the world. */
+static bool read_nodes(struct csg_reading *reading, const struct csgcast_scene *scene,
+                       uint32_t begin, uint32_t end, const struct csg_space *space,
+                       struct csg_report *report)
 {
+    struct csg_excerpt excerpt = {0};
+    if (csg_excerpt_init(&excerpt, &scene->edits->texts, begin, end))
+        reading->scene = csg_scene_read_nodes(&excerpt.document, &scene->source->params, space,
+                                              &reading->origins, report);
+    else
+        csg_log_memory(&report->log);
+    csg_excerpt_finish(&excerpt);
+    return csg_report_finish(report) && reading->scene;
+}
+
+/* Faces that are not plane are cut by what is around the node: then all of the text is read. root
+ * gets what the node is in what was read. */
+static bool read_node(struct csg_reading *reading, const struct csgcast_scene *scene,
+                      const struct csg_patch *patch, uint32_t *root)
+{
+    const struct csg_document *document = &scene->edits->texts.document;
+    const uint32_t node = patch->origin.node;
     const struct csg_space space = own_space(patch);
     struct csg_report report;
     char file[48];
     snprintf(file, sizeof file, "<edit of leaf %u>", (unsigned)patch->index);
     csg_report_init(&report, &scene->log, file);
-    reading->scene =
-        csg_scene_read_nodes(document, &scene->source->params, &space, &reading->origins, &report);
-    return csg_report_finish(&report) && reading->scene;
+    *root = 0;
+    if (!read_nodes(reading, scene, node, document->nodes.data[node].end, &space, &report))
+        return false;
+    if (!reading->origins.are_placed)
+        return true;
+    csg_reading_finish(reading);
+    *root = node;
+    csg_report_init(&report, &csg_log_silent, file); /* it has been said */
+    return read_nodes(reading, scene, 0, (uint32_t)document->nodes.num, NULL, &report) ||
+           csg_log_memory(&scene->log);
 }
 
 /* The part is the same set wherever it stands; there it may be complemented. */
 static bool is_same_node(const struct csg_reading *reading, const struct csg_node *part,
                          const struct csg_node *node, const struct csg_part_place *place)
 {
+    const bool negated = place->negated != reading->negated;
     struct csg_node same = *part;
     same.end += place->at - reading->part_begin;
     if (part->op == CSG_LEAF) {
-        same.leaf += reading->first;
-        same.negated = part->negated != place->negated;
-    } else if (place->negated) {
+        same.leaf += reading->first - reading->begin;
+        same.negated = part->negated != negated;
+    } else if (negated) {
         same.op = part->op == CSG_OR ? CSG_AND : CSG_OR;
     }
     return csg_node_is_same(&same, 0, node, 0);
@@ -65,27 +92,32 @@ static bool is_alike(const struct csg_reading *reading, const struct csg_edits *
     return same;
 }
 
+static uint32_t find_leaf(const struct csg_origins *origins, uint32_t node)
+{
+    uint32_t i = 0;
+    while (i < origins->num && origins->data[i].node != node)
+        i++;
+    return i;
+}
+
 bool csg_reading_init(struct csg_reading *reading, const struct csgcast_scene *scene,
                       const struct csg_patch *patch)
 {
-    const struct csg_edits *edits = scene->edits;
-    const uint32_t node = patch->origin.node;
-    struct csg_excerpt excerpt = {0};
+    uint32_t root;
     *reading = (struct csg_reading){
         .first = patch->origin.first, .num_before = patch->origin.num, .is_alike = true};
-    const bool ok =
-        csg_excerpt_init(&excerpt, &edits->texts, node, edits->texts.document.nodes.data[node].end)
-            ? read_node(reading, scene, patch, &excerpt.document)
-            : csg_log_memory(&scene->log);
-    csg_excerpt_finish(&excerpt);
-    const struct csg_part_place *place = ok ? find_place(&reading->origins, 0) : NULL;
-    if (!place || reading->origins.num == 0 || reading->origins.data[0].node != 0)
-        return ok;
-    reading->num = reading->origins.data[0].num;
+    if (!read_node(reading, scene, patch, &root))
+        return false;
+    const struct csg_part_place *place = find_place(&reading->origins, root);
+    reading->begin = find_leaf(&reading->origins, root);
+    if (!place || reading->begin == reading->origins.num)
+        return true;
+    reading->num = reading->origins.data[reading->begin].num;
     reading->part = reading->scene->trees[place->layer].data + place->at;
     reading->part_begin = place->at;
     reading->part_end = reading->part->end;
-    reading->is_alike = is_alike(reading, edits, node);
+    reading->negated = place->negated;
+    reading->is_alike = is_alike(reading, scene->edits, patch->origin.node);
     return true;
 }
 
@@ -93,4 +125,5 @@ void csg_reading_finish(struct csg_reading *reading)
 {
     csg_origins_finish(&reading->origins);
     csgcast_scene_destroy(reading->scene);
+    reading->scene = NULL;
 }

@@ -8,11 +8,12 @@
 
 struct csg_reading {
     uint32_t first, num_before;  /* the leaves that it has in the scene */
-    struct csgcast_scene *scene; /* its leaves, as they are in the node's own space, */
-    struct csg_origins origins;  /* ... of which the first num are its own, */
-    uint32_t num;                /* ... and no others that show what is marked in it; */
-    const struct csg_node *part; /* its tree there, within part_end; NULL: nothing is left of it */
+    struct csgcast_scene *scene; /* that it was read in, and there */
+    struct csg_origins origins;
+    uint32_t begin, num;         /* ... its leaves, */
+    const struct csg_node *part; /* ... its tree; NULL: nothing is left of it */
     uint32_t part_begin, part_end;
+    bool negated;  /* ... which is complemented */
     bool is_alike; /* the tree is the one that the scene has */
 };
 

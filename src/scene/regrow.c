@@ -52,11 +52,12 @@ static bool put_read_leaf(struct regrow *regrow, struct csg_reading *reading, ui
 {
     struct csg_leaf leaf = regrow->scene->leaves[reading->first];
     struct csg_origin origin = regrow->scene->edits->origins.data[reading->first];
-    struct csg_shape *shape = &reading->origins.data[index].shape;
+    struct csg_shape *shape = &reading->origins.data[reading->begin + index].shape;
+    const struct csg_leaf *read = &reading->scene->leaves[reading->begin + index];
     if (!csg_shape_copy(&leaf.shape, shape))
         return false;
-    leaf.kind = reading->scene->leaves[index].kind;
-    leaf.is_hole = reading->scene->leaves[index].is_hole;
+    leaf.kind = read->kind;
+    leaf.is_hole = read->is_hole;
     leaf.is_empty = !csg_space_place(&origin.space, &leaf.shape);
     origin.shape = *shape;
     origin.first = regrow->leaves[reading->first];
@@ -114,7 +115,7 @@ static bool put_part(struct regrow *regrow, struct csg_tree *tree,
         struct csg_node node = reading->part[i];
         node.end += base;
         if (node.op == CSG_LEAF) {
-            node.leaf += regrow->leaves[reading->first];
+            node.leaf += regrow->leaves[reading->first] - reading->begin;
             node.negated = node.negated != negated;
         } else if (negated) {
             node.op = node.op == CSG_OR ? CSG_AND : CSG_OR;
@@ -165,7 +166,7 @@ static bool put_nodes(struct regrow *regrow, int layer, size_t *next, struct mov
             reading = reading_of(regrow, old, &place);
             place.at = moves[i].to;
             ok = csg_array_push(&regrow->edits.origins.places, place) &&
-                 (!reading || put_part(regrow, tree, reading, place.negated));
+                 (!reading || put_part(regrow, tree, reading, place.negated != reading->negated));
         }
         moves[i].stays = !reading;
         ok = ok && (reading || csg_array_push(tree, old->data[i]));

@@ -74,6 +74,15 @@ static const struct node_case cases[] = {
      0,
      0,
      {"[0,0,0], [5,0,0], [0,5,0], [0,0,5]", "[0,0,0], [6,0,0], [0,4,0], [1,1,5]"}},
+    {"faces that are not plane",
+     "cube(1); difference() { multmatrix([[0.8,-0.6,0,0.3],[0.6,0.8,0,0.1],[0,0,1,0],[0,0,0,1]]) "
+     "polyhedron(%s, faces = [[0,1,2,3], [7,6,5,4], [4,5,1,0], [5,6,2,1], [6,7,3,2], [7,4,0,3]]);"
+     " sphere(3); }\nsphere(1);",
+     1,
+     0,
+     {"[[0,0,0], [5,0,1], [5,5,0], [0,5,1], [0,0,5], [5,0,6], [5,5,5], [0,5,7]]",
+      "[[0,0,0], [5,0,2], [5,5,0], [0,5,1], [0,0,5], [5,0,6], [5,5,5], [0,5,7]]",
+      "[[0,0,0], [5,0,0], [5,5,0], [0,5,0], [0,0,5], [5,0,5], [5,5,5], [0,5,5]]"}},
     {"render",
      "render() difference() { cube(6, center = true); linear_extrude(%s) "
      "polygon([[0, 0], [9, 0], [2, 2], [0, 9]]); }\ncube(1);",
@@ -112,15 +121,16 @@ static void fill(char *text, const char *format, const char *parameters)
     snprintf(text, MODEL_MAX_TEXT, "%.*s%s%s", (int)(at - format), format, parameters, at + 2);
 }
 
-/* What stands between the parentheses. */
+/* What stands between the parentheses of the node that is edited. */
 static void fill_parameters(char *parameters, size_t size, const struct node_case *node, size_t i)
 {
-    const bool is_list = strstr(node->text, "[%s]") != NULL;
-    snprintf(parameters, size,
-             is_list ? "points = [%s], faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], "
-                       "[2, 0, 3]]"
-                     : "%s",
-             node->parameters[i]);
+    const char *at = strstr(node->text, "%s"), *begin = at, *end = at;
+    while (begin[-1] != '(')
+        begin--;
+    while (*end != ')')
+        end++;
+    snprintf(parameters, size, "%.*s%s%.*s", (int)(at - begin), begin, node->parameters[i],
+             (int)(end - at) - 2, at + 2);
 }
 
 static void compare(struct bench *bench, const struct csgcast_scene *scene, const char *what,
