@@ -202,9 +202,11 @@ static bool add_solid(struct csg_walk *walk, const struct csg_mesh *mesh,
 {
     enum csg_mesh_result result = CSG_MESH_TOO_LARGE;
     const bool is_inner = walk->is_operand;
+    /* Planes of one face that rounding bent apart leave pieces between them that stick out. */
+    const bool is_bent = mesh->rounding > CSG_MESH_ON_PLANE * mesh->size;
+    const size_t max_faces = is_inner ? max_summed_faces : is_bent ? 0 : max_cut_faces;
     if (gaps->num == 0 || is_inner)
-        result = csg_mesh_decompose(mesh, is_inner ? max_summed_faces : max_cut_faces,
-                                    is_inner ? SIZE_MAX : max_planes, part);
+        result = csg_mesh_decompose(mesh, max_faces, is_inner ? SIZE_MAX : max_planes, part);
     if (result == CSG_MESH_TOO_LARGE)
         result = add_surface(mesh, gaps->num > 0, part) ? CSG_MESH_DONE : CSG_MESH_NO_MEMORY;
     return result == CSG_MESH_DONE;
