@@ -149,7 +149,7 @@ static bool add_subtree(struct tree_builder *build, uint32_t root)
         const struct csg_meaning *meaning = &build->builder->meanings[i];
         while (build->open.num > 0 && build->open.data[build->open.num - 1].end <= i)
             close_node(build);
-        if (i != root && csg_is_flat_operand(build->builder, i)) {
+        if (i != root && csg_is_empty_operand(build->builder, i)) {
             done = push_leaf(build, CSG_NO_LEAF, take_operand(build));
             i = nodes[i].end;
         } else if (i != root && csg_is_left_out(build->builder, i)) {

@@ -129,14 +129,14 @@ static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t n
 }
 
 /*
- * Whether the node is a drawing among solids, which is the empty set in OpenSCAD 2021.01: an
- * intersection with it is empty. A solid in a drawing is as if it were not there.
+ * Whether the node is a drawing among solids, or a solid in a drawing, which is the empty set in
+ * OpenSCAD 2021.01: an intersection with it is empty.
  */
-static inline bool csg_is_flat_operand(const struct csg_builder *builder, uint32_t node)
+static inline bool csg_is_empty_operand(const struct csg_builder *builder, uint32_t node)
 {
     return (builder->document->nodes.data[node].modifiers &
             (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) == 0 &&
-           builder->meanings[node].is_misplaced && builder->meanings[node].dimension == 2;
+           builder->meanings[node].is_misplaced;
 }
 
 /* Where the node is a drawing that shows, it does as a slab. */

@@ -194,7 +194,9 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
     const struct csg_node_ops *ops = csg_walk_ops(reader->walk, node);
     *next = parsed->end;
     if (node != reader->first && csg_is_left_out(reader->walk->builder, node))
-        return true;
+        return !csg_is_empty_operand(reader->walk->builder, node) ||
+               csg_drawing_open(reader->drawing, CSG_DRAW_UNION) ||
+               csg_walk_no_memory(reader->walk);
     if (meaning->role == CSG_ROLE_FIGURE && !parsed->malformed)
         return read_figure(reader, node);
     const bool is_flattening =

@@ -204,7 +204,7 @@ static bool visit(struct reader *reader, uint32_t node, uint32_t *next)
     const struct csg_parsed_node *parsed = csg_walk_node(reader->walk, node);
     const struct csg_meaning *meaning = &reader->walk->builder->meanings[node];
     *next = parsed->end;
-    const bool is_flat = csg_is_flat_operand(reader->walk->builder, node);
+    const bool is_flat = csg_is_empty_operand(reader->walk->builder, node);
     if (!is_flat && csg_is_left_out(reader->walk->builder, node))
         return true;
     if (is_flat || parsed->malformed)

@@ -22,3 +22,10 @@ translate([16, -9, 0]) cube(1);
 
 // Only circles, spheres and cylinders have a least $fa.
 translate([30, -9, 0]) rotate_extrude($fa = -1, $fs = 2) translate([4, 0]) square([3, 2]);
+
+// A solid in a drawing is the empty set.
+translate([40, -9, 0]) linear_extrude(2) {
+    square(2);
+    intersection() { square(4); cube(2); }
+    difference() { translate([3, 0]) square(2); cube(9); }
+}
