@@ -15,6 +15,10 @@
 #define CSG_EXTRUDE_ALONE_PIECES 20
 #define CSG_EXTRUDE_BLENDED_PIECES 3
 
+/* Of so many extrusions each is small on the screen: what they are cut from, or cut, is a surface as
+ * soon as what stands by itself. */
+#define CSG_EXTRUDE_CROWD 32
+
 /* Polygons become unions of convex pieces, those of more than max_pieces one surface. false: out of
  * memory, or, with too_large set, a figure that is too large to be cut. */
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,

@@ -79,6 +79,7 @@ struct csg_builder {
     int num_threads;               /* that read it, see csg_parallel */
     uint32_t begin, end;           /* the nodes that count: all, or those of the ! node */
     struct csg_meaning *meanings;  /* one for each node of the document */
+    size_t num_extrusions;         /* solids made of drawings, among them */
     struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
     const struct csg_space *space; /* around all nodes; NULL: the world */
     struct csg_text_state text;

@@ -13,7 +13,8 @@ static bool is_off(const struct csg_builder *builder, uint32_t node)
             (CSG_MODIFIER_DISABLE | CSG_MODIFIER_BACKGROUND)) != 0;
 }
 
-/* Roles that say nothing themselves take the dimension of the first child that has one. */
+/* Roles that say nothing themselves take the dimension of the first child that has one. Counts the
+ * solids whose first child is a drawing. */
 static void find_dimensions(struct csg_builder *builder)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
@@ -23,6 +24,8 @@ static void find_dimensions(struct csg_builder *builder)
              child = nodes[child].end)
             if (!is_off(builder, child))
                 meaning->dimension = builder->meanings[child].dimension;
+        builder->num_extrusions += meaning->dimension == 3 && i + 1 < nodes[i].end &&
+                                   builder->meanings[i + 1].dimension == 2;
     }
 }
 

@@ -127,8 +127,10 @@ bool csg_walk_is_boolean(const struct csg_walk *walk, uint32_t node)
 
 size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean)
 {
-    return walk->is_operand       ? SIZE_MAX
-           : in_boolean           ? CSG_EXTRUDE_PIECES
-           : walk->is_see_through ? CSG_EXTRUDE_BLENDED_PIECES
-                                  : CSG_EXTRUDE_ALONE_PIECES;
+    if (walk->is_operand)
+        return SIZE_MAX;
+    if (in_boolean && walk->builder->num_extrusions < CSG_EXTRUDE_CROWD)
+        return CSG_EXTRUDE_PIECES;
+    return walk->is_see_through && !in_boolean ? CSG_EXTRUDE_BLENDED_PIECES
+                                               : CSG_EXTRUDE_ALONE_PIECES;
 }

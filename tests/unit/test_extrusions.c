@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* What extruded polygons that something is cut from become: a few are convex pieces, each of a crowd
+ * is one surface. */
+#include "plane/extrude.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "check.h"
+#include "csgcast/csgcast.h"
+
+enum { NUM_CORNERS = 80, MAX_TEXT = 1 << 18 };
+
+/* Returns the end of the text. */
+static char *put_star(char *at, int place)
+{
+    at += sprintf(at, "translate([%d, 0, 0]) difference() { linear_extrude(height = %g) polygon([",
+                  30 * place, 4 + 0.01 * place);
+    for (int i = 0; i < NUM_CORNERS; i++) {
+        const double a = 2 * acos(-1) * i / NUM_CORNERS, r = i % 2 ? 10 : 8;
+        at += sprintf(at, "%s[%.9g, %.9g]", i ? ", " : "", r * cos(a), r * sin(a));
+    }
+    at += sprintf(at, "]); cylinder(r = 4, h = 20, center = true); }\n");
+    return at;
+}
+
+static void check_stars(int num, bool are_surfaces)
+{
+    static char text[MAX_TEXT];
+    char *end = text;
+    struct csgcast_scene_info info = {0};
+    for (int i = 0; i < num; i++)
+        end = put_star(end, i);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, (size_t)(end - text), NULL);
+    CHECK(scene, "%d stars", num);
+    csgcast_scene_get_info(scene, &info);
+    CHECK((info.num_leaves == (size_t)(2 * num)) == are_surfaces, "%d stars are %zu leaves", num,
+          info.num_leaves);
+    csgcast_scene_destroy(scene);
+}
+
+int main(void)
+{
+    check_stars(1, false);
+    check_stars(CSG_EXTRUDE_CROWD - 1, false);
+    check_stars(CSG_EXTRUDE_CROWD, true);
+    return num_failed != 0;
+}
