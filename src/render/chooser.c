@@ -120,16 +120,6 @@ static bool is_drawn_alone(const struct csg_chooser *chooser, const struct csg_d
             csg_chooser_knows(chooser, CSG_RESOLVER_SURFACE, csg_view_features(draw)));
 }
 
-/* A surface alone in its tile counts as the loop, which draws the same. */
-static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw *draw,
-                             enum csg_resolver *resolver)
-{
-    const GLuint program =
-        csg_chooser_shared(chooser, CSG_RESOLVER_SURFACE, csg_view_features(draw), resolver);
-    *resolver = draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP;
-    return program;
-}
-
 /* The smallest chain that can be used for that; -1: none. */
 static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain_need *needed)
 {
@@ -172,38 +162,66 @@ static int find_common_chain(const struct csg_chooser *chooser)
     return all.slots > 0 ? fit_chain(chooser, &all) : -1;
 }
 
+struct csg_way csg_chooser_way(struct csg_chooser *chooser, const struct csg_draw *draw)
+{
+    const int features = csg_view_features(draw);
+    if (is_for_cpu(chooser, draw))
+        return (struct csg_way){CSG_RESOLVER_CPU, 0, -1};
+    if (draw->walk)
+        return (struct csg_way){CSG_RESOLVER_CELLS, csg_walk_features(chooser, draw), -1};
+    if (is_drawn_alone(chooser, draw))
+        return (struct csg_way){CSG_RESOLVER_SURFACE, features, -1};
+    const int chain = find_chain(chooser, draw);
+    if (chain >= 0)
+        return (struct csg_way){CSG_RESOLVER_CHAIN, 0, chain};
+    if (draw->tile)
+        return (struct csg_way){draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
+                                CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | features, -1};
+    const struct csg_structure structure = csg_chooser_structure(chooser->request, draw->object);
+    return (struct csg_way){choose_resolver(chooser, &structure, draw),
+                            csg_structure_features(&structure) | features, -1};
+}
+
+static GLuint choose_straight(struct csg_chooser *chooser, const struct csg_draw *draw,
+                              const struct csg_way *way, enum csg_resolver *resolver)
+{
+    const struct csg_structure structure = csg_chooser_structure(chooser->request, draw->object);
+    const GLuint straight = csg_chooser_straight(chooser, &structure, draw->stiff, way->features);
+    return straight || !chooser->request->after_edit
+               ? straight
+               : csg_chooser_shared(chooser, CSG_RESOLVER_LOOP, way->features, resolver);
+}
+
+/* A surface alone in its tile counts as the loop, which draws the same. */
+static GLuint choose_surface(struct csg_chooser *chooser, const struct csg_draw *draw,
+                             const struct csg_way *way, enum csg_resolver *resolver)
+{
+    const GLuint program =
+        csg_chooser_shared(chooser, CSG_RESOLVER_SURFACE, way->features, resolver);
+    *resolver = draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP;
+    return program;
+}
+
 static GLuint choose_program(struct csg_chooser *chooser, const struct csg_draw *draw,
                              enum csg_resolver *resolver)
 {
     if (((draw->tile || draw->walk) && !csg_chooser_prepare_tiles(chooser)) ||
         !csg_chooser_prepare_cells(chooser, draw) || !csg_chooser_prepare_whole(chooser, draw))
         return 0;
-    if (is_for_cpu(chooser, draw))
+    const struct csg_way way = csg_few_way(chooser, draw, csg_chooser_way(chooser, draw));
+    *resolver = way.resolver;
+    switch (way.resolver) {
+    case CSG_RESOLVER_CPU:
         return csg_chooser_cpu(chooser, resolver);
-    if (draw->walk)
-        return csg_chooser_shared(chooser, CSG_RESOLVER_CELLS, csg_walk_features(chooser, draw),
-                                  resolver);
-    if (is_drawn_alone(chooser, draw))
-        return choose_surface(chooser, draw, resolver);
-    const int chain = find_chain(chooser, draw);
-    *resolver = CSG_RESOLVER_CHAIN;
-    if (chain >= 0)
-        return csg_chooser_chain(chooser, chain);
-    if (draw->tile)
-        return csg_chooser_shared(chooser, draw->precise ? CSG_RESOLVER_DOUBLE : CSG_RESOLVER_LOOP,
-                                  CSG_FEATURE_QUADRIC | CSG_FEATURE_GAP | csg_view_features(draw),
-                                  resolver);
-    const struct csg_structure structure = csg_chooser_structure(chooser->request, draw->object);
-    *resolver = choose_resolver(chooser, &structure, draw);
-    const int features = csg_structure_features(&structure) | csg_view_features(draw);
-    const GLuint straight = *resolver == CSG_RESOLVER_STRAIGHT
-                                ? csg_chooser_straight(chooser, &structure, draw->stiff, features)
-                                : 0;
-    if (straight || (*resolver == CSG_RESOLVER_STRAIGHT && !chooser->request->after_edit))
-        return straight;
-    const bool is_missing = *resolver == CSG_RESOLVER_STRAIGHT;
-    return csg_chooser_shared(chooser, is_missing ? CSG_RESOLVER_LOOP : *resolver, features,
-                              resolver);
+    case CSG_RESOLVER_SURFACE:
+        return choose_surface(chooser, draw, &way, resolver);
+    case CSG_RESOLVER_CHAIN:
+        return csg_chooser_chain(chooser, way.chain);
+    case CSG_RESOLVER_STRAIGHT:
+        return choose_straight(chooser, draw, &way, resolver);
+    default:
+        return csg_chooser_shared(chooser, way.resolver, way.features, resolver);
+    }
 }
 
 static bool choose_rear(struct csg_chooser *chooser, const struct csg_draw *draw, GLuint *rear)
@@ -233,10 +251,12 @@ static int max_point(struct csg_gl *gl)
     return (int)range[1];
 }
 
-/* After an edit a program that can do more may take the place of the one that is asked for. */
-static int possible_features(const struct csg_request *request, const struct csg_draw *draw)
+/* After an edit, and in a picture alone, a program that can do more may take the place of the one
+ * that is asked for. */
+static int possible_features(const struct csg_chooser *chooser, const struct csg_draw *draw)
 {
-    if (request->after_edit)
+    const struct csg_request *request = chooser->request;
+    if (request->after_edit || chooser->few.features >= 0)
         return CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS;
     return csg_view_features(draw) |
            (!draw->tile && request->scene->has_surfaces ? CSG_FEATURE_SURFACE : 0);
@@ -245,8 +265,9 @@ static int possible_features(const struct csg_request *request, const struct csg
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,
                         struct csg_choice *choice)
 {
-    choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point;
-    choice->features = possible_features(chooser->request, draw);
+    choice->point = draw->instance.side > 0 && draw->instance.side <= chooser->max_point &&
+                    !chooser->few.no_points;
+    choice->features = possible_features(chooser, draw);
     choice->program = choose_program(chooser, draw, &choice->resolver);
     return choice->program != 0 && choose_rear(chooser, draw, &choice->rear);
 }
@@ -267,10 +288,15 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
                                 (!request->after_edit || csg_chooser_knows_chain(chooser, i));
     chooser->common_chain = -1;
     chooser->common_chain = find_common_chain(chooser);
-    return chooser;
+    if (csg_few_find(chooser))
+        return chooser;
+    csg_chooser_destroy(chooser);
+    return NULL;
 }
 
 void csg_chooser_destroy(struct csg_chooser *chooser)
 {
+    if (chooser)
+        free(chooser->few.ways.data);
     free(chooser);
 }

@@ -2,11 +2,31 @@
 #ifndef CSG_RENDER_CHOOSER_PARTS_H
 #define CSG_RENDER_CHOOSER_PARTS_H
 
-/* For chooser*.c: chooser.c decides, chooser_programs.c has the programs made, chooser_spares.c
- * those that only edits may ask for. */
+/* For chooser*.c: chooser.c decides, chooser_few.c for a picture alone, chooser_programs.c has the
+ * programs made, chooser_spares.c those that only edits may ask for. */
 
 #include "render/chooser.h"
 #include "render/structures.h"
+
+/* Which program draws something. */
+struct csg_way {
+    enum csg_resolver resolver;
+    int features;
+    int chain; /* of CSG_RESOLVER_CHAIN */
+};
+
+/* What a picture alone is drawn by, so that it takes few programs. */
+struct csg_few {
+    CSG_ARRAY(struct csg_few_way {
+        struct csg_way way;
+        GLuint structure; /* of CSG_RESOLVER_STRAIGHT: its number, from 1 on */
+        double pixels;    /* that it draws */
+    })
+    ways;
+    struct csg_known_structures structures; /* their programs are their numbers */
+    int features;                           /* of the loop that draws what has few pixels, or -1 */
+    bool no_points;                         /* squares are drawn as other rectangles are */
+};
 
 struct csg_chooser {
     struct csgcast_renderer *renderer;
@@ -24,6 +44,7 @@ struct csg_chooser {
     uint32_t prepared_whole; /* ... whose programs for tiles and for all of it are */
     size_t max_handed;       /* flat inputs that the driver allows */
     int max_point;           /* pixels of a point's side */
+    struct csg_few few;
 };
 
 /* ---- chooser.c ---- */
@@ -37,6 +58,18 @@ bool csg_chooser_may_tile(const struct csg_request *request, const struct csg_st
 /* What a draw's program must do because of this view; and one that walks through cells. */
 int csg_view_features(const struct csg_draw *draw);
 int csg_walk_features(const struct csg_chooser *chooser, const struct csg_draw *draw);
+
+/* Without regard to what csg_few_way says. */
+struct csg_way csg_chooser_way(struct csg_chooser *chooser, const struct csg_draw *draw);
+
+/* ---- chooser_few.c ---- */
+
+/* Looks at the frame; false: out of memory. */
+bool csg_few_find(struct csg_chooser *chooser);
+
+/* way, or the loop where that would draw few pixels of the picture. */
+struct csg_way csg_few_way(const struct csg_chooser *chooser, const struct csg_draw *draw,
+                           struct csg_way way);
 
 /* ---- chooser_programs.c; 0, with a message: a program does not compile ---- */
 

@@ -243,7 +243,7 @@ static void add_visible(struct csg_text *fragment, bool direct, bool curved)
 static void add_spare(struct csg_text *vertex, struct csg_text *fragment, int features,
                       size_t num_handed)
 {
-    const size_t num = num_handed <= CSG_SHARED_FEW ? CSG_SHARED_FEW : CSG_SHARED_MANY;
+    const size_t num = num_handed > 0 ? CSG_SHARED_HANDED : 0;
     const size_t spare = num > num_handed ? num - num_handed : 0;
     struct csg_text *texts[2] = {vertex, fragment};
     for (int i = 0; i < 2 && features & CSG_FEATURE_SHARED; i++) {

@@ -75,10 +75,9 @@ struct csg_chain csg_chain_of(int i, bool direct);
 size_t csg_chain_size(int i, bool direct);
 size_t csg_chain_handed(const struct csg_chain *chain);
 
-/* Shared programs have one of these numbers of inputs for an object's texels; MANY is what
- * src/render/batches.c allows on llvmpipe. */
-#define CSG_SHARED_FEW 16
-#define CSG_SHARED_MANY 27
+/* Shared programs have so many inputs for an object's texels, or none; so many are what
+ * src/render/chooser.c allows on llvmpipe. */
+#define CSG_SHARED_HANDED 27
 
 /* Whether chain i has what is needed. The smallest ones come first. */
 bool csg_chain_fits(int i, const struct csg_chain_need *needed);

@@ -185,17 +185,12 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
     return ok;
 }
 
-/* A picture alone: the corners of the cube are no tiles of a program of their own. */
-static void check_corners(void)
+/* A picture alone, of few programs, is that of the loop. variants: what the statistics begin with,
+ * up to the first count. */
+static void check_alone(const char *text, const char *variants)
 {
     enum { size = 256 };
     static uint8_t shared[4 * size * size], loop[4 * size * size];
-    const char text[] = "difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13);"
-                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
-                        "multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
-                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
-                        "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
-                        "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }";
     const struct csgcast_scene_params fixed = {.fixed = true};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &fixed);
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
@@ -206,14 +201,46 @@ static void check_corners(void)
     CHECK(ok, "no picture");
     if (ok) {
         csgcast_renderer_get_stats(renderer, &stats);
-        CHECK(strncmp(stats.variants, "chain ", 6) == 0 && !strchr(stats.variants, ','), "%s",
-              stats.variants);
+        const size_t length = strlen(variants);
+        CHECK(strncmp(stats.variants, variants, length) == 0 &&
+                  !strchr(stats.variants + length, ','),
+              "%s instead of %s", stats.variants, variants);
         view.variant = "loop";
         ok = csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = loop});
         CHECK(ok && memcmp(shared, loop, sizeof loop) == 0, "pictures differ");
     }
     csgcast_renderer_destroy(renderer);
     csgcast_scene_destroy(scene);
+}
+
+/* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
+ */
+static void check_few_programs(void)
+{
+    check_alone("difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13);"
+                "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                "multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
+                "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
+                "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }",
+                "chain ");
+    const char *const few =
+        "sphere(r = 2); multmatrix([[1, 0, 0, 6], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "cylinder(h = 4, r1 = 2, r2 = 2);"
+        "multmatrix([[1, 0, 0, 12], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "cylinder($fn = 5, h = 4, r1 = 2, r2 = 1);"
+        "multmatrix([[1, 0, 0, 0], [0, 1, 0, 6], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "difference() { cube([3, 3, 3]); sphere(r = 2); }";
+    char *text = malloc(strlen(few) + 100);
+    CHECK(text, "out of memory");
+    if (!text)
+        return;
+    check_alone(few, "loop ");
+    sprintf(text, "%s cube([40, 40, 40], center = true);", few);
+    check_alone(text, "straight 1, loop ");
+    sprintf(text, "sphere(r = 2);");
+    check_alone(text, "straight 1");
+    free(text);
 }
 
 /* A plate that is drawn alone has no depth buffer; with a post in it, before it in the file, it
@@ -250,7 +277,7 @@ static void check_post(const struct example *example)
 int main(void)
 {
     check_kept(&examples[0]);
-    check_corners();
+    check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
         check_example(&examples[i]);
