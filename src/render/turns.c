@@ -36,7 +36,8 @@ static int32_t record_size(const float *head, bool precise)
 struct csg_turns csg_turns_of(const struct csg_frame *frame, const struct csg_draw *draw,
                               int features)
 {
-    struct csg_turns turns = {2, 3};
+    /* The loop around looks, and the end of the one around records, within which the others end. */
+    struct csg_turns turns = {1 + ending_turns(features), 3};
     if (draw->walk)
         return (struct csg_turns){0, INFINITY}; /* known to the ray only, which counts them */
     double group = 0; /* turns before the innermost operand that is being read */

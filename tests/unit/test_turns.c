@@ -22,17 +22,19 @@ static double look(float *texels, int num, int features)
     return csg_turns_of(&frame, &draw, features).look;
 }
 
-/* A loop's end is a turn, in programs with loops for surfaces also of records without one. */
+/* A loop's end is a turn, in programs with loops for surfaces also of records without one, and of
+ * what comes behind the last record. */
 static void check_ends(void)
 {
     float texels[4 * MAX_TEXELS] = {0};
     int num = 0;
     put(texels, &num, (const float[]){3, 24, CSG_RECORD_START, 0}, 27);
     const double alone = look(texels, num, CSG_FEATURE_QUADRIC);
-    CHECK(alone >= 1 + (2 + 1) + (12 + 1), "too few turns");
-    CHECK(look(texels, num, CSG_FEATURE_SURFACE) >= alone + 2, "too few turns");
-    CHECK(look(texels, num, CSG_FEATURE_BANDS) >= alone + 2, "too few turns");
-    CHECK(look(texels, num, CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS) >= alone + 4, "too few turns");
+    CHECK(alone >= 1 + (1 + 1 + 1) + 1 + (2 + 1) + (12 + 1), "too few turns");
+    CHECK(look(texels, num, CSG_FEATURE_SURFACE) >= alone + 2 * 2, "too few turns");
+    CHECK(look(texels, num, CSG_FEATURE_BANDS) >= alone + 2 * 2, "too few turns");
+    CHECK(look(texels, num, CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS) >= alone + 2 * 4,
+          "too few turns");
 }
 
 /* A surface's record: its longest list, and the ends of the loops for planes as well. */
@@ -43,7 +45,8 @@ static void check_surface(void)
     int num = 0;
     put(texels, &num, (const float[]){10, 0, CSG_RECORD_START | CSG_RECORD_SURFACE, 0}, 10);
     texels[4 * 2 + 1] = LONGEST;
-    CHECK(look(texels, num, CSG_FEATURE_SURFACE) >= 1 + 2 + 2 + LONGEST, "too few turns");
+    CHECK(look(texels, num, CSG_FEATURE_SURFACE) >= 1 + (1 + 2 + 2) + 1 + 2 + 2 + LONGEST,
+          "too few turns");
 }
 
 int main(void)
