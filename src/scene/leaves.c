@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "plane/extrude.h"
 #include "scene/walk.h"
 
 #include <stdlib.h>
@@ -307,7 +308,8 @@ static bool is_passed_by(const struct csg_builder *builder, uint32_t node, uint3
 bool csg_build_leaves_in(struct csg_builder *builder, uint32_t begin, uint32_t end)
 {
     const struct csg_parsed_node *nodes = builder->document->nodes.data;
-    const struct frame around = {UINT32_MAX, builder->space ? *builder->space : csg_space_world};
+    struct frame around = {UINT32_MAX, builder->space ? *builder->space : csg_space_world};
+    around.space.is_crowded |= builder->num_extrusions >= CSG_EXTRUDE_CROWD;
     struct walk walk = {.base = {.builder = builder}, .builder = builder};
     bool done = csg_array_push(&walk.frames, around) || csg_log_memory(&builder->report->log);
     for (uint32_t i = builder->begin; done && i < end;) {

@@ -31,6 +31,7 @@ struct csg_space {
     bool in_boolean; /* below a difference or intersection of several operands */
     bool is_marked;  /* below % or # */
     bool is_empty;   /* the map collapses or destroys what is in it */
+    bool is_crowded; /* the text has CSG_EXTRUDE_CROWD extrusions or more */
     float color[4];
     bool has_color; /* color is one that inner colours cannot replace */
 };

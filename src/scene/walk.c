@@ -129,7 +129,10 @@ size_t csg_walk_max_pieces(const struct csg_walk *walk, bool in_boolean)
 {
     if (walk->is_operand)
         return SIZE_MAX;
-    if (in_boolean && walk->builder->num_extrusions < CSG_EXTRUDE_CROWD)
+    const struct csg_builder *builder = walk->builder;
+    const bool is_crowded = builder->num_extrusions >= CSG_EXTRUDE_CROWD ||
+                            (builder->space && builder->space->is_crowded);
+    if (in_boolean && !is_crowded)
         return CSG_EXTRUDE_PIECES;
     return walk->is_see_through && !in_boolean ? CSG_EXTRUDE_BLENDED_PIECES
                                                : CSG_EXTRUDE_ALONE_PIECES;

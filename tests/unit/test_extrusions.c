@@ -39,10 +39,26 @@ static void check_stars(int num, bool are_surfaces)
     csgcast_scene_destroy(scene);
 }
 
+/* One whose height an edit sets is what the changed text would make of it. */
+static void check_edit(void)
+{
+    static char text[MAX_TEXT];
+    char *end = text;
+    for (int i = 0; i < CSG_EXTRUDE_CROWD; i++)
+        end = put_star(end, i);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, (size_t)(end - text), NULL);
+    const struct csgcast_edit edit = {.leaf = 2, .parameters = "height = 9"};
+    CHECK(scene && csgcast_scene_edit(scene, &edit, 1), "an edit");
+    CHECK(csgcast_scene_num_leaves(scene) == 2 * CSG_EXTRUDE_CROWD, "%zu leaves after an edit",
+          csgcast_scene_num_leaves(scene));
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     check_stars(1, false);
     check_stars(CSG_EXTRUDE_CROWD - 1, false);
     check_stars(CSG_EXTRUDE_CROWD, true);
+    check_edit();
     return num_failed != 0;
 }
