@@ -252,14 +252,14 @@ static int max_point(struct csg_gl *gl)
 }
 
 /* After an edit, and in a picture alone, a program that can do more may take the place of the one
- * that is asked for. */
+ * that is asked for. Scenes that may be edited have the same answer in all frames, as instances that
+ * are the same are not handed over again. */
 static int possible_features(const struct csg_chooser *chooser, const struct csg_draw *draw)
 {
-    const struct csg_request *request = chooser->request;
-    if (request->after_edit || chooser->few.features >= 0)
+    const struct csgcast_scene *scene = chooser->request->scene;
+    if (scene->keeps_structure || chooser->few.features >= 0)
         return CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS;
-    return csg_view_features(draw) |
-           (!draw->tile && request->scene->has_surfaces ? CSG_FEATURE_SURFACE : 0);
+    return csg_view_features(draw) | (!draw->tile && scene->has_surfaces ? CSG_FEATURE_SURFACE : 0);
 }
 
 bool csg_chooser_choose(struct csg_chooser *chooser, const struct csg_draw *draw,
