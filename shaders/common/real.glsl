@@ -18,6 +18,14 @@
 #define CSG_TERM_TEXELS 1
 #endif
 
+/* Of what faces that coincide must agree on to the last bit, in whatever programs: a compiler may
+ * not join a product with a sum, or order sums anew, in one of them and not in another. */
+#ifdef GL_ARB_gpu_shader5
+#define csg_exact precise
+#else
+#define csg_exact
+#endif
+
 /* Term i of those that begin at texel p. */
 csg_real4 csg_term(int p, int i)
 {

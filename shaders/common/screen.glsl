@@ -15,10 +15,14 @@ vec2 csg_pixel()
 /* Depth buffer value of a key: 0 near, 1 far. */
 float csg_depth(csg_real k)
 {
-    if (csg_screen_depth.w == 0.0)
-        return clamp(float(csg_screen_depth.x * k + csg_screen_depth.y), 0.0, 1.0);
-    if (csg_screen_depth.w == 1.0)
-        return float(1.0 / (1.0 + (csg_screen_key.x - k) * csg_screen_depth.x));
+    if (csg_screen_depth.w == 0.0) {
+        csg_exact csg_real depth = csg_screen_depth.x * k + csg_screen_depth.y;
+        return clamp(float(depth), 0.0, 1.0);
+    }
+    if (csg_screen_depth.w == 1.0) {
+        csg_exact csg_real over = 1.0 + (csg_screen_key.x - k) * csg_screen_depth.x;
+        return float(1.0 / over);
+    }
     csg_real s = k * csg_screen_depth.x;
     return float(0.5 + 0.5 * s / (1.0 + abs(s)));
 }

@@ -33,10 +33,11 @@ flat in vec4 csg_handed[CSG_NUM_TEXELS]; /* the quadric's, then the planes' */
 vec2 csg_ball(vec2 d)
 {
     vec4 t0 = csg_handed[0], t1 = csg_handed[1], t2 = csg_handed[2];
-    float x = t1.x + (t1.y * d.x + t1.z * d.y);
-    float y = t2.x + (t1.y * d.y - t1.z * d.x);
-    float h = (t1.w + y * (y * t2.w)) - x * x;
-    float m = t0.x + (t0.y * d.x + t0.z * d.y), root = sqrt(max(h, 0.0));
+    csg_exact float m = t0.x + (t0.y * d.x + t0.z * d.y);
+    csg_exact float x = t1.x + (t1.y * d.x + t1.z * d.y);
+    csg_exact float y = t2.x + (t1.y * d.y - t1.z * d.x);
+    csg_exact float h = (t1.w + y * (y * t2.w)) - x * x;
+    float root = sqrt(max(h, 0.0));
     return vec2(m - root, m + root);
 }
 #endif

@@ -14,8 +14,9 @@ struct csg_bands {
 
 bool csg_is_in_circle(csg_real3 c, csg_real3 cc, vec2 at)
 {
-    return c.x + (c.y * at.x + c.z * at.y) +
-           (cc.x * at.x * at.x + cc.y * at.x * at.y + cc.z * at.y * at.y) < 0.0;
+    csg_exact csg_real sum = c.x + (c.y * at.x + c.z * at.y) +
+                             (cc.x * at.x * at.x + cc.y * at.x * at.y + cc.z * at.y * at.y);
+    return sum < 0.0;
 }
 
 /* Whether the ray passes inside of the circles of the band whose head is at p. */

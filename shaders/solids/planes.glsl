@@ -3,7 +3,8 @@
 
 csg_real csg_plane(csg_real4 texel, vec2 d)
 {
-    return texel.x + (texel.y * d.x + texel.z * d.y);
+    csg_exact csg_real k = texel.x + (texel.y * d.x + texel.z * d.y);
+    return k;
 }
 
 /* Narrows the leaf by one plane of either sense; texel is csg_plane_sense's. */

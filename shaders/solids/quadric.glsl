@@ -15,13 +15,14 @@ struct csg_terms {
 csg_terms csg_quadric_terms(csg_real4 t0, csg_real4 t1, csg_real4 t2, vec2 d)
 {
     int code = int(t0.w);
-    csg_real x = t1.x + (t1.y * d.x + t1.z * d.y);
-    csg_real y = t2.x + (t1.y * d.y - t1.z * d.x);
+    csg_exact csg_real m = t0.x + (t0.y * d.x + t0.z * d.y);
+    csg_exact csg_real x = t1.x + (t1.y * d.x + t1.z * d.y);
+    csg_exact csg_real y = t2.x + (t1.y * d.y - t1.z * d.x);
     csg_real xx = (code & CSG_QUADRIC_X_MINUS) != 0  ? -x
                   : (code & CSG_QUADRIC_X_PLUS) != 0 ? x
                                                      : 0.0;
-    csg_real h = (t1.w + y * (t2.z + y * t2.w)) + x * (t2.y + xx);
-    return csg_terms(t0.x + (t0.y * d.x + t0.z * d.y), x, y, h);
+    csg_exact csg_real h = (t1.w + y * (t2.z + y * t2.w)) + x * (t2.y + xx);
+    return csg_terms(m, x, y, h);
 }
 
 /* From the quadric's first three texels: right unless its code says CSG_QUADRIC_STIFF. */
@@ -38,7 +39,7 @@ csg_real2 csg_stiff_quadric(int p, vec2 d)
     csg_terms terms = csg_quadric_terms(csg_term(p, 0), csg_term(p, 1), csg_term(p, 2), d);
     csg_real4 t3 = csg_term(p, 3), t4 = csg_term(p, 4);
     csg_real x = terms.x, y = terms.y, root = sqrt(max(terms.h, 0.0));
-    csg_real c = t3.x + x * (t3.y + t4.x * x + t4.y * y) + y * (t3.z + t4.z * y);
+    csg_exact csg_real c = t3.x + x * (t3.y + t4.x * x + t4.y * y) + y * (t3.z + t4.z * y);
     csg_real q = terms.m < 0.0 ? root - terms.m : -root - terms.m; /* never cancels */
     csg_real k0 = clamp(q * t3.w, -CSG_KEY_MAX, CSG_KEY_MAX);
     csg_real k1 = clamp(c / (q != 0.0 ? q : 1e-30), -CSG_KEY_MAX, CSG_KEY_MAX);

@@ -15,7 +15,7 @@ struct csg_surface {
 int csg_edge_turns(vec4 edge, vec2 d)
 {
     bool from = edge.x <= d.y, to = edge.y <= d.y;
-    float x = edge.z + edge.w * (d.y - min(edge.x, edge.y));
+    csg_exact float x = edge.z + edge.w * (d.y - min(edge.x, edge.y));
     return from != to && d.x < x ? (from ? 1 : -1) : 0;
 }
 

@@ -129,7 +129,7 @@ size_t csg_structure_crossings(const struct csg_structure *structure)
 
 static void add_preamble(struct csg_text *text, int features)
 {
-    csg_text_add(text, "#version 330 core\n");
+    csg_text_add(text, "#version 330 core\n#extension GL_ARB_gpu_shader5 : enable\n");
     if (features & CSG_FEATURE_DOUBLE)
         csg_text_add(text, "#extension GL_ARB_gpu_shader_fp64 : require\n#define CSG_DOUBLE\n");
     csg_text_add(text, "precision highp float;\n");
