@@ -7,7 +7,7 @@
  * again, but only while a file in the folder that CSGCAST_DIGITS names is open for writing: then
  * the program has been evaluated, so that str(), echo() and text() say what they always say. If
  * openscad prints by both, the file's last line says that no number in it is rounded
- * (src/scene/digits.h); what another version of openscad prints in other ways stays as it is.
+ * (src/document/digits.h); what another version of openscad prints in other ways stays as it is.
  *
  * Where such a file is the only one, openscad ends with it, at once: in a large scene a tenth of
  * the time passes before its memory is free.
@@ -29,7 +29,7 @@
 #include <link.h>
 #include <unistd.h>
 
-#include "scene/digits.h"
+#include "document/digits.h"
 
 #define TO_PRECISION                                                                               \
     "_ZNK17double_conversion23DoubleToStringConverter11ToPrecisionEdiPNS_13StringBuilderE"

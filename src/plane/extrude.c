@@ -132,7 +132,7 @@ static bool take_child(struct extruder *extruder)
     return open->negated != (open->op == CSG_DRAW_DIFFERENCE && open->num_children++ > 0);
 }
 
-/* De Morgan, as in scene/build.c. A node without children is empty. */
+/* De Morgan, as in nodes/build.c. A node without children is empty. */
 static bool open_node(struct extruder *extruder, const struct csg_draw_node *node, uint32_t index,
                       bool negated)
 {

@@ -2,8 +2,8 @@
 #ifndef CSG_SCENE_EDITS_H
 #define CSG_SCENE_EDITS_H
 
+#include "nodes/origin.h"
 #include "scene/node_texts.h"
-#include "scene/origin.h"
 
 struct csg_before;
 
@@ -44,7 +44,7 @@ struct csg_patch {
     uint32_t index;
     struct csg_leaf leaf;
     struct csg_origin origin;
-    bool has_all_digits; /* of the scene's text, see scene/digits.h */
+    bool has_all_digits; /* of the scene's text, see document/digits.h */
 };
 
 /* patch becomes a copy of the leaf as it is now. false: no memory. */

@@ -8,12 +8,12 @@
 #include "common/clock.h"
 #include "common/file.h"
 #include "common/join.h"
+#include "nodes/build.h"
+#include "nodes/handoff.h"
+#include "openscad/openscad.h"
+#include "openscad/plain_text.h"
 #include "prepare/scene.h"
-#include "scene/build.h"
 #include "scene/edits.h"
-#include "scene/handoff.h"
-#include "scene/openscad.h"
-#include "scene/plain_text.h"
 
 static const struct csgcast_scene_params default_params;
 

@@ -3,7 +3,7 @@
 #define CSG_SCENE_LOAD_H
 
 #include "csg/scene.h"
-#include "scene/openscad.h"
+#include "openscad/openscad.h"
 #include "scene/source.h"
 
 /*

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/digits.h"
-#include "scene/nodes.h"
+#include "document/digits.h"
+#include "nodes/nodes.h"
 
 bool csg_node_texts_init(struct csg_node_texts *texts, struct csg_document *document)
 {

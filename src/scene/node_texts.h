@@ -5,7 +5,7 @@
 /* The nodes of a scene that is edited, and what stands between their parentheses by now. */
 
 #include "common/file.h"
-#include "scene/document.h"
+#include "document/document.h"
 
 struct csg_node_texts {
     struct csg_document document; /* the scene's text */

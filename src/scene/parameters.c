@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/digits.h"
+#include "document/digits.h"
 #include "scene/source.h"
 
 /* "cube(size = 3\n)": the line's end, as a comment may end the parameters. NULL: no memory. */

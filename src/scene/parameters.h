@@ -5,7 +5,7 @@
 /* The arguments of a node as an edit has them. */
 
 #include "csg/scene.h"
-#include "scene/arguments.h"
+#include "document/arguments.h"
 
 struct csg_parameters {
     char file[48];            /* that messages name: "<edit of leaf 7>" */

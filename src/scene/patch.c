@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/digits.h"
+#include "document/digits.h"
+#include "nodes/walk.h"
 #include "scene/edits.h"
 #include "scene/parameters.h"
 #include "scene/source.h"
-#include "scene/walk.h"
 
 bool csg_patch_init(struct csg_patch *patch, const struct csgcast_scene *scene, uint32_t leaf)
 {

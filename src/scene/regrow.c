@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "csg/wholes.h"
+#include "nodes/walk.h"
 #include "scene/reading.h"
-#include "scene/walk.h"
 
 struct regrow {
     struct csgcast_scene *scene;

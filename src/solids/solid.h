@@ -31,7 +31,7 @@ enum csg_kind {
 #include "solids/solids.def"
 #undef CSG_SOLID
     CSG_NUM_KINDS,
-    /* Nodes that become several shapes (scene/compounds.h): */
+    /* Nodes that become several shapes (nodes/compounds.h): */
     CSG_KIND_LINEAR_EXTRUDE = CSG_NUM_KINDS,
     CSG_KIND_ROTATE_EXTRUDE,
     CSG_KIND_POLYHEDRON,

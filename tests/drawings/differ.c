@@ -15,10 +15,10 @@
 #include "common/file.h"
 #include "common/module.h"
 #include "csg/scene.h"
-#include "scene/clip.h"
-#include "scene/drawings.h"
-#include "scene/import.h"
-#include "scene/text.h"
+#include "nodes/clip.h"
+#include "nodes/drawings.h"
+#include "nodes/import.h"
+#include "nodes/text.h"
 
 static bool read_drawing(struct csg_builder *builder, struct csg_drawing *drawing)
 {

@@ -12,8 +12,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "document/report.h"
 #include "scene/load.h"
-#include "scene/report.h"
 #include "scene_print.h"
 
 struct counts {

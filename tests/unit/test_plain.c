@@ -10,8 +10,8 @@
 
 #include "check.h"
 #include "dice.h"
-#include "scene/arguments.h"
-#include "scene/plain.h"
+#include "document/arguments.h"
+#include "document/plain.h"
 
 enum { NUM_TEXTS = 200000, MAX_PIECES = 24 };
 

@@ -12,7 +12,7 @@
 
 #include "check.h"
 #include "dice.h"
-#include "scene/runs.h"
+#include "document/runs.h"
 
 #define ROOM ((size_t)4 << 20)
 

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * projection(cut): of OpenSCAD's facets, as unions of convex sets. The shadow of a convex set, and
+ * its section with z = 0, are the hulls of points that are easily found. The shadow of a surface is
+ * that of its triangles.
+ */
+#include <stdlib.h>
+
+#include "mesh/surface.h"
+#include "nodes/figures.h"
+#include "nodes/sets.h"
+#include "nodes/transforms.h"
+#include "plane/outline.h"
+#include "plane/wrap.h"
+
+/* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
+#define ON_PLANE 1e-12
+#define WIDER 1e-9
+
+/* Shadows of surfaces of more triangles are refused. */
+enum { max_triangles = 20000 };
+
+struct projection {
+    struct csg_walk *walk;
+    const struct csg_space *space;
+    struct csg_drawing *drawing;
+    double rounding;
+    bool facetted, cut;
+    bool has_area;      /* of what has been drawn */
+    bool has_triangles; /* of surfaces: many figures that lie side by side */
+};
+
+static bool add_point(const struct projection *projection, struct csg_flat_points *to,
+                      struct csg_vec3 p)
+{
+    const struct csg_vec3 at = csg_map_point(&projection->space->map, csg_vec3(p.x, p.y, 0));
+    return csg_array_push(&to->list, ((struct csg_vec2){at.x, at.y}));
+}
+
+static bool add_shadow(const struct projection *projection, const struct csg_vec3 *corners,
+                       size_t num, struct csg_flat_points *to)
+{
+    bool ok = true;
+    for (size_t i = 0; i < num && ok; i++)
+        ok = add_point(projection, to, corners[i]);
+    return ok;
+}
+
+/* Any two corners on either side have a point of the section between them. */
+static bool add_section(const struct projection *projection, const struct csg_vec3 *corners,
+                        size_t num, struct csg_flat_points *to)
+{
+    double size = 0;
+    bool ok = true;
+    for (size_t i = 0; i < num; i++)
+        size = fmax(size, fabs(corners[i].z));
+    for (size_t i = 0; i < num && ok; i++) {
+        const struct csg_vec3 a = corners[i];
+        if (fabs(a.z) <= ON_PLANE * size)
+            ok = add_point(projection, to, a);
+        for (size_t j = 0; j < num && ok && a.z < -ON_PLANE * size; j++) {
+            const struct csg_vec3 b = corners[j];
+            const double t = -a.z / (b.z - a.z);
+            if (b.z > ON_PLANE * size)
+                ok = add_point(projection, to, csg_add(a, csg_scale(t, csg_sub(b, a))));
+        }
+    }
+    return ok;
+}
+
+static bool add_set(struct projection *projection, const struct csg_vec3 *corners, size_t num)
+{
+    struct csg_flat_points points = {0};
+    bool ok = (projection->cut ? add_section(projection, corners, num, &points)
+                               : add_shadow(projection, corners, num, &points)) &&
+              csg_flat_points_wrap(&points) &&
+              csg_flat_points_draw(projection->drawing, &points, projection->rounding);
+    projection->has_area |= points.list.num >= 3;
+    if (ok)
+        projection->drawing->figures.data[projection->drawing->figures.num - 1].facetted =
+            projection->facetted;
+    free(points.list.data);
+    return ok;
+}
+
+static bool add_sets(struct projection *projection, const struct csg_clusters *clusters)
+{
+    size_t begin = 0;
+    bool ok = true;
+    for (size_t i = 0; i < clusters->ends.num && ok; i++) {
+        ok = add_set(projection, &clusters->corners.points.data[begin],
+                     clusters->ends.data[i] - begin);
+        begin = clusters->ends.data[i];
+    }
+    return ok || csg_log_memory(&projection->walk->builder->report->log);
+}
+
+/* Those that look up cover all of it, unless there are gaps. */
+static bool add_triangles(struct projection *projection, const struct csg_shape *shape)
+{
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    bool ok = surface != NULL;
+    projection->has_triangles = true;
+    for (size_t i = 0; ok && i < surface->triangles.num; i++) {
+        const struct csg_triangle *triangle = &surface->triangles.data[i];
+        struct csg_vec3 corners[3];
+        for (int k = 0; k < 3; k++)
+            corners[k] = surface->points.data[triangle->points[k]];
+        if (surface->open || surface->planes.data[triangle->plane].normal.z > 0)
+            ok = add_set(projection, corners, 3);
+    }
+    csg_surface_destroy(surface);
+    return ok || csg_log_memory(&projection->walk->builder->report->log);
+}
+
+static bool add_surfaces(struct projection *projection, const struct csg_sets *sets)
+{
+    bool ok = true;
+    for (size_t i = 0; i < sets->surfaces.num && ok; i++)
+        ok = add_triangles(projection, &sets->surfaces.data[i]);
+    return ok;
+}
+
+static size_t count_triangles(const struct csg_part *part)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < part->shapes.num; i++)
+        num += part->shapes.data[i].surface ? part->shapes.data[i].surface->triangles.num : 0;
+    return num;
+}
+
+/* What is subtracted takes its boundary with it: a pocket's floor at z = 0 is no part of the
+ * section. So its planes there move out a little, by more than evaluation takes for rounding. */
+static void widen_cuts(struct csg_part *part)
+{
+    for (size_t i = 0; i < part->tree.num; i++) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op != CSG_LEAF || !node->negated)
+            continue;
+        struct csg_shape *shape = &part->shapes.data[node->leaf];
+        const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+        const double size = csg_length(box.lo) + csg_length(box.hi);
+        for (size_t j = 0; j < shape->num_planes; j++) {
+            struct csg_plane *plane = &shape->planes[j];
+            if (hypot(plane->normal.x, plane->normal.y) < ON_PLANE &&
+                fabs(plane->offset) <= ON_PLANE * size)
+                plane->offset += WIDER * size;
+        }
+    }
+}
+
+static enum csg_hull_result evaluate(const struct projection *projection, struct csg_part *part,
+                                     struct csg_sets *sets)
+{
+    if (part->is_too_large)
+        return CSG_HULL_FLAT;
+    if (projection->cut)
+        widen_cuts(part);
+    else if (csg_part_is_union(part) && count_triangles(part) <= max_triangles &&
+             !csg_sets_take_surfaces(sets, part))
+        return CSG_HULL_NO_MEMORY;
+    return csg_part_evaluate(part, false, &sets->convex);
+}
+
+static bool project(struct projection *projection, uint32_t node, struct csg_part *part)
+{
+    struct csg_walk *walk = projection->walk;
+    struct csg_sets sets = {0};
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        projection->rounding = fmax(projection->rounding, part->shapes.data[i].rounding);
+        projection->facetted |= part->shapes.data[i].facetted;
+    }
+    projection->rounding *= csg_space_stretch(projection->space);
+    const enum csg_hull_result result = evaluate(projection, part, &sets);
+    bool ok = true;
+    if (result == CSG_HULL_DONE)
+        ok = add_sets(projection, &sets.convex) && add_surfaces(projection, &sets);
+    else if (result == CSG_HULL_NO_MEMORY)
+        ok = csg_walk_no_memory(walk);
+    else
+        csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
+    if (projection->cut && !projection->has_area && sets.convex.ends.num > 0)
+        csg_walk_warning(walk, node, "nothing of what is in it is at z = 0; the section is empty");
+    csg_sets_finish(&sets);
+    return ok;
+}
+
+/* One outline of all. As written, that of a shadow is Clipper's, which OpenSCAD projects triangles
+ * with; a section it has by its kernel, without a grid. */
+static bool unite(const struct projection *projection, uint32_t node, uint32_t draw)
+{
+    struct csg_walk *walk = projection->walk;
+    const bool as_written = walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN;
+    if (as_written ? !projection->cut : !projection->has_triangles)
+        return true;
+    const enum csg_sweep_result result = csg_drawing_evaluate(projection->drawing, draw);
+    if (result == CSG_SWEEP_TOO_LARGE && !as_written)
+        csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
+    return result != CSG_SWEEP_NO_MEMORY || csg_walk_no_memory(walk);
+}
+
+bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                           const struct csg_space *space, struct csg_drawing *drawing)
+{
+    struct projection projection = {
+        .walk = walk, .space = space, .drawing = drawing, .cut = csg_args_bool(args, "cut")};
+    const uint32_t end = csg_walk_node(walk, node)->end, draw = (uint32_t)drawing->nodes.num;
+    struct csg_part part = {0};
+    struct csg_map inverse;
+    bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
+    if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
+        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_FACETS, &part) &&
+             project(&projection, node, &part);
+    csg_drawing_close(drawing, draw);
+    csg_part_finish(&part);
+    return ok && unite(&projection, node, draw);
+}

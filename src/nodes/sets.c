@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+#include "nodes/sets.h"
+
+#include <stdlib.h>
+
+#include "mesh/surface.h"
+
+void csg_sets_finish(struct csg_sets *sets)
+{
+    csg_clusters_finish(&sets->convex);
+    for (size_t i = 0; i < sets->surfaces.num; i++)
+        csg_shape_finish(&sets->surfaces.data[i]);
+    free(sets->surfaces.data);
+    *sets = (struct csg_sets){0};
+}
+
+static void add_origin(struct csg_sets *sets, const struct csg_part *part)
+{
+    sets->has_flat |= part->has_flat;
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        sets->rounding = fmax(sets->rounding, part->shapes.data[i].rounding);
+        sets->facetted |= part->shapes.data[i].facetted;
+    }
+}
+
+/* Says what went wrong; false when memory is out. */
+static bool report(struct csg_walk *walk, uint32_t node, enum csg_hull_result result)
+{
+    const char *name = csg_walk_ops(walk, node)->name;
+    if (result == CSG_HULL_NO_MEMORY)
+        return csg_walk_no_memory(walk);
+    if (result == CSG_HULL_MISSING)
+        csg_walk_unsupported(walk, node,
+                             "%s needs the Qhull library, which csgcast was built "
+                             "without (Debian: libqhull-dev)",
+                             name);
+    else if (result == CSG_HULL_FLAT)
+        csg_walk_unsupported(walk, node, "%s: the Booleans in it have too many pieces", name);
+    return true;
+}
+
+bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part)
+{
+    bool ok = true;
+    for (size_t i = csg_part_next_uncut(part, 0); i < part->tree.num && ok;
+         i = csg_part_next_uncut(part, i + 1)) {
+        struct csg_node *node = &part->tree.data[i];
+        if (!part->shapes.data[node->leaf].surface)
+            continue;
+        ok = csg_array_push(&sets->surfaces, part->shapes.data[node->leaf]);
+        if (ok)
+            part->shapes.data[node->leaf] = (struct csg_shape){.frame = csg_map_identity};
+        node->op = CSG_OR;
+        node->leaf = 0;
+    }
+    return ok;
+}
+
+static enum csg_hull_result evaluate(struct csg_sets *sets, struct csg_part *part,
+                                     enum csg_part_wanted wanted)
+{
+    if (part->is_too_large)
+        return CSG_HULL_FLAT;
+    if (wanted != CSG_WANT_POINTS && !csg_sets_take_surfaces(sets, part))
+        return CSG_HULL_NO_MEMORY;
+    return csg_part_evaluate(part, wanted == CSG_WANT_POINTS, &sets->convex);
+}
+
+bool csg_sets_read(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_t end,
+                   bool in_boolean, enum csg_part_wanted wanted, struct csg_sets *sets,
+                   bool *is_there)
+{
+    struct csg_part inner = {0};
+    bool ok = csg_part_read(walk, begin, end, in_boolean, wanted, &inner);
+    if (ok) {
+        add_origin(sets, &inner);
+        const enum csg_hull_result result = evaluate(sets, &inner, wanted);
+        *is_there = result == CSG_HULL_DONE;
+        ok = report(walk, node, result);
+    }
+    csg_part_finish(&inner);
+    return ok;
+}
+
+bool csg_sets_add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets *sets,
+                       const struct csg_points *points, struct csg_part *part)
+{
+    struct csg_shape shape = {.frame = csg_map_identity};
+    const enum csg_hull_result result = csg_hull_fill(&shape, points);
+    shape.rounding = sets->rounding;
+    shape.facetted = sets->facetted;
+    if (result == CSG_HULL_DONE)
+        return csg_part_add(part, &shape, false) || csg_walk_no_memory(walk);
+    csg_shape_finish(&shape);
+    return result == CSG_HULL_FLAT || report(walk, node, result);
+}
