@@ -31,9 +31,11 @@
 #define SMALL_BANDS 4
 
 /* A larger area with more nodes, all of its leaves under one intersection, is first cut by the
- * leaves' rectangles on the screen: ranges tell little of so large a tile. In pixels. */
+ * leaves' rectangles on the screen: ranges tell little of so large a tile. In pixels. That ends where
+ * a quarter of the area keeps more than this share of the leaves. */
 #define COARSE_SIZE 32
 #define COARSE_NODES 12
+#define COARSE_SHARE 0.65
 
 /* Tiles of the smallest size are cut once more where they have more leaves than a chain, up to so
  * many. */
@@ -239,6 +241,8 @@ static bool fold_and_settle(struct csg_tiler *tiler, struct csg_tile_task *task,
 static bool is_coarse(const struct csg_tiler *tiler, const struct csg_tile_task *task)
 {
     return task->flat && task->tree.num > COARSE_NODES && !is_within(task, COARSE_SIZE) &&
+           (task->before[1] == 0 ||
+            (double)csg_tree_count_leaves(&task->tree) <= COARSE_SHARE * (double)task->before[1]) &&
            tiler->terms->frame->texels.num / 4 < tiler->max_texels;
 }
 
