@@ -56,20 +56,19 @@ static bool read_node(struct csg_reading *reading, const struct csgcast_scene *s
            csg_log_memory(&scene->log);
 }
 
-/* The part is the same set wherever it stands; there it may be complemented. */
-static bool is_same_node(const struct csg_reading *reading, const struct csg_node *part,
-                         const struct csg_node *node, const struct csg_part_place *place)
+struct csg_node csg_reading_node(const struct csg_reading *reading, uint32_t i,
+                                 const struct csg_part_place *place, uint32_t first)
 {
     const bool negated = place->negated != reading->negated;
-    struct csg_node same = *part;
-    same.end += place->at - reading->part_begin;
-    if (part->op == CSG_LEAF) {
-        same.leaf += reading->first - reading->begin;
-        same.negated = part->negated != negated;
+    struct csg_node node = reading->part[i];
+    node.end += place->at - reading->part_begin;
+    if (node.op == CSG_LEAF) {
+        node.leaf += first - reading->begin;
+        node.negated = node.negated != negated;
     } else if (negated) {
-        same.op = part->op == CSG_OR ? CSG_AND : CSG_OR;
+        node.op = node.op == CSG_OR ? CSG_AND : CSG_OR;
     }
-    return csg_node_is_same(&same, 0, node, 0);
+    return node;
 }
 
 static const struct csg_part_place *find_place(const struct csg_origins *origins, uint32_t node)
@@ -87,8 +86,10 @@ static bool is_alike(const struct csg_reading *reading, const struct csg_edits *
     const struct csg_node *nodes = edits->whole[place->layer].data + place->at;
     const uint32_t num = reading->part_end - reading->part_begin;
     bool same = reading->num == reading->num_before && nodes->end - place->at == num;
-    for (uint32_t i = 0; i < num && same; i++)
-        same = is_same_node(reading, &reading->part[i], &nodes[i], place);
+    for (uint32_t i = 0; i < num && same; i++) {
+        const struct csg_node read = csg_reading_node(reading, i, place, reading->first);
+        same = csg_node_is_same(&read, 0, &nodes[i], 0);
+    }
     return same;
 }
 

@@ -106,22 +106,14 @@ static bool put_leaves(struct regrow *regrow)
 
 /* ---- trees --------------------------------------------------------------------------------- */
 
+/* place: where the tree ends now. */
 static bool put_part(struct regrow *regrow, struct csg_tree *tree,
-                     const struct csg_reading *reading, bool negated)
+                     const struct csg_reading *reading, const struct csg_part_place *place)
 {
-    const uint32_t base = (uint32_t)tree->num - reading->part_begin;
+    const uint32_t first = regrow->leaves[reading->first];
     bool ok = true;
-    for (uint32_t i = 0; i < reading->part_end - reading->part_begin && ok; i++) {
-        struct csg_node node = reading->part[i];
-        node.end += base;
-        if (node.op == CSG_LEAF) {
-            node.leaf += regrow->leaves[reading->first] - reading->begin;
-            node.negated = node.negated != negated;
-        } else if (negated) {
-            node.op = node.op == CSG_OR ? CSG_AND : CSG_OR;
-        }
-        ok = csg_array_push(tree, node);
-    }
+    for (uint32_t i = 0; i < reading->part_end - reading->part_begin && ok; i++)
+        ok = csg_array_push(tree, csg_reading_node(reading, i, place, first));
     return ok;
 }
 
@@ -166,7 +158,7 @@ static bool put_nodes(struct regrow *regrow, int layer, size_t *next, struct mov
             reading = reading_of(regrow, old, &place);
             place.at = moves[i].to;
             ok = csg_array_push(&regrow->edits.origins.places, place) &&
-                 (!reading || put_part(regrow, tree, reading, place.negated != reading->negated));
+                 (!reading || put_part(regrow, tree, reading, &place));
         }
         moves[i].stays = !reading;
         ok = ok && (reading || csg_array_push(tree, old->data[i]));

@@ -121,10 +121,9 @@ void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scen
           "%s: bounds differ", what);
 }
 
-void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
-                   const struct model *model, const char *what, bool with_id)
+void bench_compare_text(struct bench *bench, const struct csgcast_scene *scene, const char *what,
+                        bool with_id)
 {
-    model_print(model, bench->text);
     struct csgcast_scene *fresh = bench_parse(bench->text);
     bench_draw_edited(bench, scene, NULL);
     bench_draw(bench->fresh, fresh, NULL, &bench->expected);
@@ -132,4 +131,11 @@ void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
     if (with_id)
         bench_compare_info(scene, fresh, what);
     csgcast_scene_destroy(fresh);
+}
+
+void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
+                   const struct model *model, const char *what, bool with_id)
+{
+    model_print(model, bench->text);
+    bench_compare_text(bench, scene, what, with_id);
 }

@@ -50,7 +50,9 @@ void bench_compare_pictures(const struct bench *bench, const char *what, bool wi
 void bench_compare_info(const struct csgcast_scene *a, const struct csgcast_scene *b,
                         const char *what);
 
-/* Draws the edited scene and the text of its model, and compares both. */
+/* Draws the edited scene and the bench's text, or that of its model, and compares both. */
+void bench_compare_text(struct bench *bench, const struct csgcast_scene *scene, const char *what,
+                        bool with_id);
 void bench_compare(struct bench *bench, const struct csgcast_scene *scene,
                    const struct model *model, const char *what, bool with_id);
 

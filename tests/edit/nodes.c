@@ -133,25 +133,13 @@ static void fill_parameters(char *parameters, size_t size, const struct node_cas
              (int)(end - at) - 2, at + 2);
 }
 
-static void compare(struct bench *bench, const struct csgcast_scene *scene, const char *what,
-                    bool with_id)
-{
-    struct csgcast_scene *fresh = bench_parse(bench->text);
-    bench_draw_edited(bench, scene, NULL);
-    bench_draw(bench->fresh, fresh, NULL, &bench->expected);
-    bench_compare_pictures(bench, what, with_id);
-    if (with_id)
-        bench_compare_info(scene, fresh, what);
-    csgcast_scene_destroy(fresh);
-}
-
 static void check_case(struct bench *bench, const struct node_case *node)
 {
     char parameters[512], what[64];
     struct csgcast_node info;
     fill(bench->text, node->text, node->parameters[0]);
     struct csgcast_scene *scene = bench_begin(bench, bench->text);
-    compare(bench, scene, node->name, true);
+    bench_compare_text(bench, scene, node->name, true);
     for (size_t i = 0; i < 2 * MAX_EDITS; i++) {
         const size_t j = i % MAX_EDITS;
         if (!node->parameters[j])
@@ -165,7 +153,7 @@ static void check_case(struct bench *bench, const struct node_case *node)
                   strcmp(info.parameters, parameters) == 0,
               "%s: %s instead of %s", what, info.parameters, parameters);
         fill(bench->text, node->text, node->parameters[j]);
-        compare(bench, scene, what, true);
+        bench_compare_text(bench, scene, what, true);
     }
     csgcast_scene_destroy(scene);
 }
@@ -205,19 +193,19 @@ static void check_renumbering(struct bench *bench)
     CHECK(csgcast_scene_num_leaves(scene) == 8, "%zu leaves", csgcast_scene_num_leaves(scene));
     CHECK(csgcast_scene_edit(scene, edits, 4), "%s", bench_last_message);
     print_batch(bench->text, twisted, 2, 2);
-    compare(bench, scene, "two nodes at once", true);
+    bench_compare_text(bench, scene, "two nodes at once", true);
     CHECK(csgcast_scene_num_leaves(scene) == 6, "%zu leaves", csgcast_scene_num_leaves(scene));
     CHECK(csgcast_scene_get_leaf(scene, 5, &leaf) && strcmp(leaf.kind, "sphere") == 0 &&
               leaf.first == 5 && leaf.line == 5,
           "%s %zu %u", leaf.kind, leaf.first, leaf.line);
     CHECK(csgcast_scene_set_parameters(scene, 5, "3"), "%s", bench_last_message);
     print_batch(bench->text, twisted, 2, 3);
-    compare(bench, scene, "a leaf behind them", true);
+    bench_compare_text(bench, scene, "a leaf behind them", true);
     CHECK(csgcast_scene_set_parameters(scene, 0, "height = 2") &&
               csgcast_scene_set_parameters(scene, 4, "height = 4"),
           "%s", bench_last_message);
     print_batch(bench->text, before, 2, 3);
-    compare(bench, scene, "back again", true);
+    bench_compare_text(bench, scene, "back again", true);
     csgcast_scene_destroy(scene);
 }
 
@@ -234,10 +222,10 @@ static void check_nothing(struct bench *bench)
     CHECK(csgcast_scene_get_leaf(scene, 3, &leaf) && leaf.empty && leaf.num == 2, "%zu leaves",
           leaf.num);
     print_batch(bench->text, flat, 5, 2);
-    compare(bench, scene, "nothing of a node", false);
+    bench_compare_text(bench, scene, "nothing of a node", false);
     CHECK(csgcast_scene_set_parameters(scene, 3, before[1]), "%s", bench_last_message);
     print_batch(bench->text, before, 5, 2);
-    compare(bench, scene, "all of it again", true);
+    bench_compare_text(bench, scene, "all of it again", true);
     csgcast_scene_destroy(scene);
 }
 
@@ -271,7 +259,7 @@ static void check_refused(struct bench *bench)
               strcmp(node.parameters, "r = 3") == 0,
           "%s %u:%u (%s)", node.name, node.line, node.column, node.parameters);
     snprintf(bench->text, MODEL_MAX_TEXT, "%s", text);
-    compare(bench, scene, "after refused edits", true);
+    bench_compare_text(bench, scene, "after refused edits", true);
     csgcast_scene_destroy(scene);
 }
 
