@@ -58,14 +58,15 @@ static bool find(const char *name, char *path, size_t size)
     return is_in(csg_module_dir, "", name, path, size);
 }
 
-void *csg_module_open(const char *name, const char *variable)
+void *csg_module_symbol(const char *name, const char *variable, const char *symbol)
 {
     char path[PATH_MAX + 64];
     const char *chosen = getenv(variable);
     dlerror(); /* what was said before is not about this one */
     if (!chosen || !*chosen)
         chosen = find(name, path, sizeof path) ? path : NULL;
-    return chosen ? dlopen(chosen, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) : NULL;
+    void *const module = chosen ? dlopen(chosen, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE) : NULL;
+    return module ? dlsym(module, symbol) : NULL;
 }
 
 bool csg_module_find(const char *name, const char *variable, char *path, size_t size)

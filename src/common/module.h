@@ -12,11 +12,11 @@
 #include <stddef.h>
 
 /*
- * Opens the module of that file name, or the one that the environment variable names. It stays
- * loaded when it is closed: some libraries' threads do not survive that. NULL: dlerror() has the
- * reason, or nothing where there is no such file.
+ * What the module of that file name, or the one that the environment variable names, has under a
+ * symbol. It stays loaded: some libraries' threads do not survive the end of that. NULL: dlerror()
+ * has the reason, or nothing where there is no such file.
  */
-void *csg_module_open(const char *name, const char *variable);
+void *csg_module_symbol(const char *name, const char *variable, const char *symbol);
 
 /* The path of that file, for what is not loaded by us; the same places. false: it is not there. */
 bool csg_module_find(const char *name, const char *variable, char *path, size_t size);

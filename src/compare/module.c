@@ -10,8 +10,8 @@
 
 bool csg_compare_module_load(struct csg_compare_module *module, const struct csg_log *log)
 {
-    void *const library = csg_module_open(MODULE_NAME, "CSGCAST_COMPARE_MODULE");
-    void *const address = library ? dlsym(library, CSG_COMPARE_MODULE_ENTRY_NAME) : NULL;
+    void *const address =
+        csg_module_symbol(MODULE_NAME, "CSGCAST_COMPARE_MODULE", CSG_COMPARE_MODULE_ENTRY_NAME);
     csg_compare_module_fn *entry;
     memcpy(&entry, &address, sizeof entry);
     if (address) {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "files/threemf.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -65,12 +64,7 @@ static enum csg_3mf_file read_with(const struct csg_3mf_module *module,
 enum csg_3mf_file csg_3mf_read(const struct csg_bytes *bytes, struct csg_mesh_list *list,
                                char *error, size_t size)
 {
-    void *handle = csg_module_open("csgcast-3mf.so", "CSGCAST_3MF_MODULE");
     const struct csg_3mf_module *module =
-        handle ? (const struct csg_3mf_module *)dlsym(handle, CSG_3MF_MODULE_NAME) : NULL;
-    const enum csg_3mf_file result =
-        module ? read_with(module, bytes, list, error, size) : CSG_3MF_FILE_NO_MODULE;
-    if (handle)
-        dlclose(handle);
-    return result;
+        csg_module_symbol("csgcast-3mf.so", "CSGCAST_3MF_MODULE", CSG_3MF_MODULE_NAME);
+    return module ? read_with(module, bytes, list, error, size) : CSG_3MF_FILE_NO_MODULE;
 }

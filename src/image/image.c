@@ -1,7 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef _GNU_SOURCE
-#define _GNU_SOURCE /* dladdr */
-#endif
 
 #include <ctype.h>
 #include <dlfcn.h>
@@ -31,36 +28,27 @@ enum {
 
 /* ---- the module ---- */
 
-static void *open_module(void)
-{
-    return csg_module_open(MODULE_NAME, "CSGCAST_IMAGE_MODULE");
-}
-
-static csg_image_module_write_fn *find_write(void *module)
+/* NULL: it is not there. */
+static csg_image_module_write_fn *find_write(void)
 {
     csg_image_module_write_fn *write_file = NULL;
-    void *const address = module ? dlsym(module, CSG_IMAGE_MODULE_WRITE_NAME) : NULL;
+    void *const address =
+        csg_module_symbol(MODULE_NAME, "CSGCAST_IMAGE_MODULE", CSG_IMAGE_MODULE_WRITE_NAME);
     memcpy(&write_file, &address, sizeof write_file);
     return write_file;
 }
 
 static bool write_with_module(const struct csg_image_file *file, struct csg_image_error *error)
 {
-    void *const module = open_module();
-    csg_image_module_write_fn *const write_file = find_write(module);
-    bool ok = false;
-    if (write_file) {
-        ok = write_file(file, error);
-    } else {
-        const char *reason = dlerror();
-        snprintf(error->text, sizeof error->text,
-                 "cannot load " MODULE_NAME " (%.300s); install libopenimageio2.4 and csgcast, or "
-                 "set CSGCAST_IMAGE_MODULE",
-                 reason ? reason : "it is neither beside the library nor where modules belong");
-    }
-    if (module)
-        dlclose(module);
-    return ok;
+    csg_image_module_write_fn *const write_file = find_write();
+    if (write_file)
+        return write_file(file, error);
+    const char *reason = dlerror();
+    snprintf(error->text, sizeof error->text,
+             "cannot load " MODULE_NAME " (%.300s); install libopenimageio2.4 and csgcast, or "
+             "set CSGCAST_IMAGE_MODULE",
+             reason ? reason : "it is neither beside the library nor where modules belong");
+    return false;
 }
 
 /* ---- loading ahead ---- */
@@ -91,9 +79,7 @@ static void finish_preload(void *argument)
 /* Needs no result: dlopen makes csgcast_image_write wait for this one, or finds it done. */
 static void *run_preload(void *unused)
 {
-    void *const module = open_module();
-    if (module)
-        dlclose(module);
+    find_write();
     return unused;
 }
 

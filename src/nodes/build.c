@@ -3,8 +3,6 @@
 
 #include <stdlib.h>
 
-#include "nodes/clip.h"
-#include "nodes/import.h"
 #include "nodes/origin.h"
 #include "nodes/repeats.h"
 #include "nodes/text.h"
@@ -268,8 +266,6 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
     csg_text_finish(&builder.text);
-    csg_clip_finish(&builder.clip);
-    csg_import_finish(&builder.xml);
     csg_repeats_destroy(builder.repeats);
     free(builder.meanings);
     free(builder.parts.data);

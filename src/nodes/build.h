@@ -43,7 +43,6 @@ struct csg_text_module;
 
 /* What the first text() has opened; all NULL before. */
 struct csg_text_state {
-    void *handle;
     const struct csg_text_module *module;
     struct csg_fonts *fonts;
 };
@@ -54,7 +53,6 @@ struct csg_repeats;
 /* What the first drawing has opened. */
 struct csg_clip_state {
     bool is_wanted, was_opened;
-    void *handle;
     const struct csg_clip_module *module; /* NULL: missing */
 };
 
@@ -63,7 +61,6 @@ struct csg_xml_module;
 /* What the first import of XML has opened. */
 struct csg_xml_state {
     bool was_opened;
-    void *handle;
     const struct csg_xml_module *module; /* NULL: missing */
 };
 

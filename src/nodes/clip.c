@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "nodes/clip.h"
 
-#include <dlfcn.h>
 #include <stdlib.h>
 
 #include "clip/module.h"
@@ -19,17 +18,9 @@ bool csg_clip_is_there(struct csg_walk *walk)
     if (state->was_opened)
         return state->module != NULL;
     state->was_opened = true;
-    state->handle = csg_module_open("csgcast-clip.so", "CSGCAST_CLIP_MODULE");
-    if (state->handle)
-        state->module = (const struct csg_clip_module *)dlsym(state->handle, CSG_CLIP_MODULE_NAME);
+    state->module =
+        csg_module_symbol("csgcast-clip.so", "CSGCAST_CLIP_MODULE", CSG_CLIP_MODULE_NAME);
     return state->module != NULL;
-}
-
-void csg_clip_finish(struct csg_clip_state *state)
-{
-    if (state->handle)
-        dlclose(state->handle);
-    *state = (struct csg_clip_state){0};
 }
 
 struct paths {

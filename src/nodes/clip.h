@@ -25,6 +25,4 @@ bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint3
 bool csg_clip_offset(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t node,
                      const struct csg_offset *offset, bool *taken);
 
-void csg_clip_finish(struct csg_clip_state *state);
-
 #endif

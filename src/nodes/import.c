@@ -4,7 +4,6 @@
  */
 #include "nodes/import.h"
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,9 +29,7 @@ const struct csg_xml_module *csg_import_xml(struct csg_walk *walk)
     if (state->was_opened)
         return state->module;
     state->was_opened = true;
-    state->handle = csg_module_open("csgcast-xml.so", "CSGCAST_XML_MODULE");
-    if (state->handle)
-        state->module = (const struct csg_xml_module *)dlsym(state->handle, CSG_XML_MODULE_NAME);
+    state->module = csg_module_symbol("csgcast-xml.so", "CSGCAST_XML_MODULE", CSG_XML_MODULE_NAME);
     return state->module;
 }
 
@@ -43,13 +40,6 @@ void csg_import_refuse(struct csg_walk *walk, uint32_t node, const char *name,
                      "import: %.80s:%zu: %s is not read, for it may name any other file; write "
                      "what it stands for (xmllint --noent)",
                      name, error->line, error->text);
-}
-
-void csg_import_finish(struct csg_xml_state *state)
-{
-    if (state->handle)
-        dlclose(state->handle);
-    *state = (struct csg_xml_state){0};
 }
 
 static char *path_of(const struct csg_walk *walk, const char *name)

@@ -26,7 +26,6 @@ bool csg_import_drawing(struct csg_walk *walk, uint32_t node, const struct csg_a
 
 /* csgcast-xml.so; NULL: it is missing. */
 const struct csg_xml_module *csg_import_xml(struct csg_walk *walk);
-void csg_import_finish(struct csg_xml_state *state);
 
 /* An error: the text of an XML file has an entity of its own, which could name any other file. */
 void csg_import_refuse(struct csg_walk *walk, uint32_t node, const char *name,

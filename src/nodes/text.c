@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "nodes/text.h"
 
-#include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -26,26 +25,20 @@ static void add_fonts(const struct csg_text_state *state, const struct csgcast_s
 static bool open_module(struct csg_text_state *state, const struct csgcast_scene_params *params,
                         const struct csg_log *log)
 {
-    void *const handle = csg_module_open("csgcast-text.so", "CSGCAST_TEXT_MODULE");
     const struct csg_text_module *module =
-        handle ? (const struct csg_text_module *)dlsym(handle, CSG_TEXT_MODULE_NAME) : NULL;
+        csg_module_symbol("csgcast-text.so", "CSGCAST_TEXT_MODULE", CSG_TEXT_MODULE_NAME);
     struct csg_fonts *fonts = module ? module->create() : NULL;
-    if (fonts) {
-        *state = (struct csg_text_state){handle, module, fonts};
-        add_fonts(state, params, log);
-        return true;
-    }
-    if (handle)
-        dlclose(handle);
-    return false;
+    if (!fonts)
+        return false;
+    *state = (struct csg_text_state){module, fonts};
+    add_fonts(state, params, log);
+    return true;
 }
 
 void csg_text_finish(struct csg_text_state *state)
 {
-    if (!state->module)
-        return;
-    state->module->destroy(state->fonts);
-    dlclose(state->handle);
+    if (state->module)
+        state->module->destroy(state->fonts);
 }
 
 /* Adds up, as fontconfig lists fonts in the order of a folder's entries. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "polyhedra/cut.h"
 
-#include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +9,6 @@
 
 void csg_cutter_finish(struct csg_cutter *cutter)
 {
-    if (cutter->handle)
-        dlclose(cutter->handle);
     free(cutter->triangles);
     free(cutter->corners);
     free(cutter->projected);
@@ -21,10 +18,8 @@ void csg_cutter_finish(struct csg_cutter *cutter)
 static void open_module(struct csg_cutter *cutter)
 {
     cutter->was_opened = true;
-    cutter->handle = csg_module_open("csgcast-tess.so", "CSGCAST_TESS_MODULE");
-    if (cutter->handle)
-        cutter->module =
-            (const struct csg_tess_module *)dlsym(cutter->handle, CSG_TESS_MODULE_NAME);
+    cutter->module =
+        csg_module_symbol("csgcast-tess.so", "CSGCAST_TESS_MODULE", CSG_TESS_MODULE_NAME);
 }
 
 static bool make_room(struct csg_cutter *cutter, size_t num)

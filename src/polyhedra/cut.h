@@ -29,10 +29,9 @@ bool csg_cut_space_is_reversed(const struct csg_cut_space *space);
 
 /* One face after the other; zero-initialise it. */
 struct csg_cutter {
-    const struct csg_cut_space *space; /* NULL: that of the points */
-    const uint32_t *numbers;           /* of the points in OpenSCAD; NULL: not known */
-    void *handle;                      /* of the module, once it was needed */
-    const struct csg_tess_module *module;
+    const struct csg_cut_space *space;    /* NULL: that of the points */
+    const uint32_t *numbers;              /* of the points in OpenSCAD; NULL: not known */
+    const struct csg_tess_module *module; /* once it was needed */
     bool was_opened;
     size_t num_guessed; /* faces cut otherwise: four corners by the shorter diagonal, else a fan */
     uint32_t (*triangles)[3]; /* of the last face: its corners, from 0 on */

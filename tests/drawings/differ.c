@@ -6,7 +6,6 @@
  * line behind each contour. Prints the corners of both, the area in which they differ, and the
  * length of both outlines.
  */
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,9 +14,7 @@
 #include "common/file.h"
 #include "common/module.h"
 #include "csg/scene.h"
-#include "nodes/clip.h"
 #include "nodes/drawings.h"
-#include "nodes/import.h"
 #include "nodes/text.h"
 
 static bool read_drawing(struct csg_builder *builder, struct csg_drawing *drawing)
@@ -28,8 +25,6 @@ static bool read_drawing(struct csg_builder *builder, struct csg_drawing *drawin
                     csg_drawing_read_node(&walk, 0, false, drawing);
     csg_arguments_finish(&walk.arguments);
     csg_text_finish(&builder->text);
-    csg_clip_finish(&builder->clip);
-    csg_import_finish(&builder->xml);
     free(builder->meanings);
     return ok;
 }
@@ -159,9 +154,8 @@ static double length_of(const struct csg_drawing *drawing, size_t *corners)
 int main(int argc, char **argv)
 {
     struct csg_drawing ours = {0}, theirs = {0};
-    void *handle = csg_module_open("csgcast-clip.so", "CSGCAST_CLIP_MODULE");
     const struct csg_clip_module *module =
-        handle ? (const struct csg_clip_module *)dlsym(handle, CSG_CLIP_MODULE_NAME) : NULL;
+        csg_module_symbol("csgcast-clip.so", "CSGCAST_CLIP_MODULE", CSG_CLIP_MODULE_NAME);
     size_t num_ours = 0, num_theirs = 0;
     if (!module || argc != 2 || !read_ours(argv[1], &ours) || !read_theirs(&theirs))
         return 1;

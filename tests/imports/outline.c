@@ -5,7 +5,6 @@
  * Writes the corners of the drawing in a file as csgcast reads it, after Clipper: "x y" a line, an
  * empty line behind each contour. Of an AMF file it writes the points of the meshes.
  */
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,8 +23,7 @@ struct options {
 
 static const void *open_module(const char *file, const char *variable, const char *name)
 {
-    void *handle = csg_module_open(file, variable);
-    const void *module = handle ? dlsym(handle, name) : NULL;
+    const void *module = csg_module_symbol(file, variable, name);
     if (!module)
         fprintf(stderr, "outline: %s does not load\n", file);
     return module;
