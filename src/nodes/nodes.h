@@ -40,27 +40,38 @@ struct csg_drawing;
 struct csg_part;
 struct csg_walk;
 
+/* Changes the space of the children. false: a message was given. */
+typedef bool csg_enter_fn(const struct csg_args *args, struct csg_space *space);
+
+/* Adds a figure to a drawing, or an empty union where it is empty. false, with a message, when
+ * memory is out. */
+typedef bool csg_figure_fn(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                           const struct csg_space *space, struct csg_drawing *drawing);
+
+/* In a drawing: replaces the nodes from draw on, the union of what is in the node, by what the node
+ * makes of it. false, with a message, when memory is out. */
+typedef bool csg_flatten_fn(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                            struct csg_drawing *drawing, uint32_t draw);
+
+/* Fills a part, several shapes under a Boolean tree, in the node's own space; what is empty or was
+ * reported leaves it empty. in_boolean: see struct csg_space. false, with a message, when memory is
+ * out. */
+typedef bool csg_compound_fn(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
+                             bool in_boolean, struct csg_part *part);
+
 struct csg_node_ops {
     const char *name;
     enum csg_role role;
-    const char *parameters; /* in positional order, see csg_args; NULL: none */
-    uint8_t dimension;      /* 2 or 3; 0: that of what is in it */
-    uint8_t wants;          /* 2 or 3: what must be in it; 0: of its own dimension */
-    enum csg_kind kind;     /* COMPOUND: of its leaves */
-    bool is_whole;          /* what is in it is of one colour, its cut faces too */
-    bool shows_marks;       /* # and % directly in it show, though it becomes one mesh */
-    /* Changes the space of the children. false: a message was given. NULL: nothing to change. */
-    bool (*enter)(const struct csg_args *args, struct csg_space *space);
-    /* FIGURE: adds it to a drawing, see nodes/figures.h. */
-    bool (*figure)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
-                   const struct csg_space *space, struct csg_drawing *drawing);
-    /* In a drawing: replaces the nodes from draw on, the union of what is in the node, by what the
-     * node makes of it. NULL: not there. false, with a message, when memory is out. */
-    bool (*flatten)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
-                    struct csg_drawing *drawing, uint32_t draw);
-    /* COMPOUND: see nodes/compounds.h. */
-    bool (*compound)(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
-                     bool in_boolean, struct csg_part *part);
+    const char *parameters;    /* in positional order, see csg_args; NULL: none */
+    uint8_t dimension;         /* 2 or 3; 0: that of what is in it */
+    uint8_t wants;             /* 2 or 3: what must be in it; 0: of its own dimension */
+    enum csg_kind kind;        /* COMPOUND: of its leaves */
+    bool is_whole;             /* what is in it is of one colour, its cut faces too */
+    bool shows_marks;          /* # and % directly in it show, though it becomes one mesh */
+    csg_enter_fn *enter;       /* NULL: nothing to change */
+    csg_figure_fn *figure;     /* FIGURE */
+    csg_flatten_fn *flatten;   /* NULL: not in a drawing */
+    csg_compound_fn *compound; /* COMPOUND */
 };
 
 extern const struct csg_space csg_space_world;

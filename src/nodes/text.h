@@ -3,13 +3,8 @@
 #define CSG_NODES_TEXT_H
 
 #include "nodes/walk.h"
-#include "plane/drawing.h"
 
-/* text(): adds the outlines of its glyphs to a drawing, see nodes/figures.h. */
-bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
-                     const struct csg_space *space, struct csg_drawing *drawing);
-
-/* Closes the module and the fonts of a walk. */
+/* Closes the fonts of a walk. */
 void csg_text_finish(struct csg_text_state *state);
 
 /* A number for the fonts that there are, another one after any of them has changed; 0: there is no
