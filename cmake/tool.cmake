@@ -17,7 +17,8 @@ add_executable(csgcast-tool ${tool_sources} ${PROJECT_SOURCE_DIR}/src/common/fil
     ${PROJECT_SOURCE_DIR}/src/common/folder.c
     ${PROJECT_SOURCE_DIR}/src/common/heap.c
     ${PROJECT_SOURCE_DIR}/src/common/join.c
-    ${PROJECT_SOURCE_DIR}/src/common/process.c)
+    ${PROJECT_SOURCE_DIR}/src/common/process.c
+    ${PROJECT_SOURCE_DIR}/src/common/spelling.c)
 target_include_directories(csgcast-tool PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 target_link_libraries(csgcast-tool PRIVATE csgcast csgcast_report csgcast_compare m)
 # `csgcast report` measures the shipped scenes: installed ones, else those of the source tree.

@@ -180,11 +180,7 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
         all_good &= run_one(options, options->inputs[i], &json);
     if (options->json)
         csg_json_list_close(&json);
-    if (fflush(stdout) || ferror(stdout)) {
-        csg_cli_error("cannot write to standard output");
-        return CSG_EXIT_OUTPUT;
-    }
-    return all_good ? CSG_EXIT_OK : CSG_EXIT_FAILED;
+    return csg_cli_end_output(all_good ? CSG_EXIT_OK : CSG_EXIT_FAILED, CSG_EXIT_OUTPUT);
 }
 
 const struct csg_cli_command csg_command_bench = {

@@ -41,11 +41,7 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
         print_json(&info);
     else if (!options->clear)
         print_text(&info);
-    if (fflush(stdout) || ferror(stdout)) {
-        csg_cli_error("cannot write to standard output");
-        return CSG_EXIT_OUTPUT;
-    }
-    return CSG_EXIT_OK;
+    return csg_cli_end_output(CSG_EXIT_OK, CSG_EXIT_OUTPUT);
 }
 
 const struct csg_cli_command csg_command_cache = {

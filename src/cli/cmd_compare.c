@@ -165,11 +165,7 @@ static enum csg_cli_exit tell(const struct csg_compared *compared)
     for (int i = 0; i < CSG_NUM_THRESHOLDS; i++)
         within = within &&
                  (!csg_threshold_is_judged(&thresholds[i]) || csg_threshold_holds(&thresholds[i]));
-    if (fflush(stdout) || ferror(stdout)) {
-        csg_cli_error("cannot write to standard output");
-        return CSG_EXIT_USAGE;
-    }
-    return within ? CSG_EXIT_OK : CSG_EXIT_BEYOND;
+    return csg_cli_end_output(within ? CSG_EXIT_OK : CSG_EXIT_BEYOND, CSG_EXIT_USAGE);
 }
 
 static bool compare_views(struct run *run)
@@ -222,17 +218,15 @@ const struct csg_cli_command csg_command_compare = {
     .bit = CSG_COMMAND_COMPARE,
     .summary = "compare the exact surface with a mesh, ray by ray",
     .usage = "FILE [--mesh=MESH] [OPTION...]",
-    .text =
-        "Draws a scene and casts the same rays, in double precision, at a mesh of it: the one "
-        "that\n"
-        "openscad exports, or a file. Prints how well the silhouettes agree, how far depths and\n"
-        "normals are apart and where, and what OpenSCAD's facets explain of that; writes a "
-        "picture\n"
-        "of both and of the difference. Without --camera four views are compared.\n"
-        "\n"
-        "A pixel is wrong where csgcast, drawing OpenSCAD's facets, does not show the mesh's "
-        "surface\n"
-        "(to 3e-5 of the distance) and no edge passes through the pixel. $preview is false.\n",
+    .text = "Draws a scene and casts the same rays, in double precision, at a mesh of it: the one\n"
+            "that openscad exports, or a file. Prints how well the silhouettes agree, how far\n"
+            "depths and normals are apart and where, and what OpenSCAD's facets explain of that;\n"
+            "writes a picture of both and of the difference. Without --camera four views are\n"
+            "compared.\n"
+            "\n"
+            "A pixel is wrong where csgcast, drawing OpenSCAD's facets, does not show the mesh's\n"
+            "surface (to 3e-5 of the distance) and no edge passes through the pixel. $preview is\n"
+            "false.\n",
     .tail = "  csgcast compare part.scad\n"
             "  csgcast compare part.scad --facets=as-written --json --no-picture\n"
             "  csgcast compare part.csg --mesh=part.3mf --sagitta=0.02 -o part-difference.png\n"

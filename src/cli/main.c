@@ -3,13 +3,13 @@
 /* csgcast COMMAND ARGUMENTS: finds the command, reads its options, prints the help texts. */
 
 #include "commands.h"
+#include "common/spelling.h"
 #include "csgcast/csgcast.h"
 #include "ending.h"
 #include "messages.h"
 #include "option_table.h"
 #include "options.h"
 #include "scene_options.h"
-#include "values.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -102,7 +102,8 @@ static enum csg_cli_exit complain_command(const char *name)
         return CSG_EXIT_USAGE;
     }
     for (size_t i = 0; i < NUM_COMMANDS; i++) {
-        if (csg_value_distance(name, commands[i]->name) <= MAX_SUGGESTION_DISTANCE) {
+        if (csg_spelling_distance(name, strlen(name), commands[i]->name,
+                                  strlen(commands[i]->name)) <= MAX_SUGGESTION_DISTANCE) {
             csg_cli_error("unknown command %s; did you mean %s?", name, commands[i]->name);
             return CSG_EXIT_USAGE;
         }
@@ -111,32 +112,23 @@ static enum csg_cli_exit complain_command(const char *name)
     return CSG_EXIT_USAGE;
 }
 
-/* Help and version count as written only when standard output took them. */
-static enum csg_cli_exit finish_output(void)
-{
-    if (!fflush(stdout) && !ferror(stdout))
-        return CSG_EXIT_OK;
-    csg_cli_error("cannot write to standard output");
-    return CSG_EXIT_OUTPUT;
-}
-
 static enum csg_cli_exit run_help(int num, char **argv)
 {
     if (num == 0) {
         print_overview();
-        return finish_output();
+        return csg_cli_end_output(CSG_EXIT_OK, CSG_EXIT_OUTPUT);
     }
     const struct csg_cli_command *command = find_command(argv[0]);
     if (!command)
         return complain_command(argv[0]);
     print_command_help(command);
-    return finish_output();
+    return csg_cli_end_output(CSG_EXIT_OK, CSG_EXIT_OUTPUT);
 }
 
 static enum csg_cli_exit run_version(void)
 {
     printf("csgcast %s\n", csgcast_version());
-    return finish_output();
+    return csg_cli_end_output(CSG_EXIT_OK, CSG_EXIT_OUTPUT);
 }
 
 static enum csg_cli_exit run_command(const struct csg_cli_command *command, int num, char **argv)
@@ -148,7 +140,8 @@ static enum csg_cli_exit run_command(const struct csg_cli_command *command, int 
             print_command_help(command);
         else
             csg_warn_unheeded(&options);
-        result = options.help ? finish_output() : command->run(&options);
+        result = options.help ? csg_cli_end_output(CSG_EXIT_OK, CSG_EXIT_OUTPUT)
+                              : command->run(&options);
     }
     csg_options_finish(&options);
     return result;

@@ -8,8 +8,6 @@
 
 #include <string.h>
 
-#define MAX_FRAMES 100000 /* of a measurement */
-
 static const char *set_output(struct csg_cli_options *options, const char *value)
 {
     if (options->output)
@@ -60,10 +58,7 @@ static const char *set_bits(struct csg_cli_options *options, const char *value)
 
 static const char *set_frames(struct csg_cli_options *options, const char *value)
 {
-    int *num = &options->num_frames;
-    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES
-               ? NULL
-               : "a number from 1 to 100000";
+    return csg_value_frames(value, &options->num_frames);
 }
 
 static const char *set_edit(struct csg_cli_options *options, const char *value)

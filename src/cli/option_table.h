@@ -18,8 +18,7 @@ struct csg_option {
     unsigned commands;   /* csg_cli_command_bit, ORed */
     const char *metavar; /* how the help names its value; NULL: it has none */
     const char *help;    /* lines separated by \n; NULL: an alias that the help does not list */
-    /* Takes the value over. What it expected instead, for the message, or NULL when all is well. */
-    const char *(*set)(struct csg_cli_options *options, const char *value);
+    csg_option_set_fn *set;
 };
 
 /* One of OpenSCAD's options that scripts pass and that we do not have. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
+#include "common/spelling.h"
 #include "instrument_options.h"
 #include "messages.h"
 #include "option_table.h"
@@ -86,17 +87,15 @@ static bool is_elsewhere(const struct spelled *spelled)
 
 static const char *closest_name(const struct parser *parser, const struct spelled *spelled)
 {
-    char typed[64];
     const char *closest = NULL;
     size_t least = MAX_SUGGESTION_DISTANCE + 1;
-    if (spelled->is_letter || spelled->name_length >= sizeof typed)
+    if (spelled->is_letter)
         return NULL;
-    memcpy(typed, spelled->name, spelled->name_length);
-    typed[spelled->name_length] = 0;
     for (const struct csg_option *option = csg_option_table; option->name; option++) {
         if (!(option->commands & (unsigned)parser->command->bit) || !option->help)
             continue;
-        const size_t distance = csg_value_distance(typed, option->name);
+        const size_t distance = csg_spelling_distance(spelled->name, spelled->name_length,
+                                                      option->name, strlen(option->name));
         if (distance < least) {
             least = distance;
             closest = option->name;

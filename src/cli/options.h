@@ -68,6 +68,10 @@ struct csg_cli_options {
     bool help;                   /* show the help instead */
 };
 
+/* Takes an option's value over. What it expected instead, for the message, or NULL when all is
+ * well. */
+typedef const char *csg_option_set_fn(struct csg_cli_options *options, const char *value);
+
 /*
  * Reads argv[0..num), what stands behind the command's name. false after a message; options must be
  * finished in either case. The log callbacks point into options, which must stay where it is.

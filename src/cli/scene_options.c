@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-#define MAX_FRAMES 100000 /* of an animation, csgcast_animation_load's limit */
-
 const char *csg_set_define(struct csg_cli_options *options, const char *value)
 {
     const char *equals = strchr(value, '=');
@@ -45,10 +43,7 @@ const char *csg_set_parameter_set(struct csg_cli_options *options, const char *v
 
 const char *csg_set_animate(struct csg_cli_options *options, const char *value)
 {
-    int *num = &options->num_animated;
-    return csg_value_int(value, num) && *num > 0 && *num <= MAX_FRAMES
-               ? NULL
-               : "a number from 1 to 100000";
+    return csg_value_frames(value, &options->num_animated);
 }
 
 const char *csg_set_facets(struct csg_cli_options *options, const char *value)

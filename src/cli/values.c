@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Longer words than this are no typing errors of ours. */
-#define MAX_WORD 64
+#define MAX_FRAMES 100000 /* csgcast_animation_load's limit */
 
 bool csg_value_int(const char *text, int *value)
 {
@@ -19,6 +18,12 @@ bool csg_value_int(const char *text, int *value)
         return false;
     *value = (int)number;
     return true;
+}
+
+const char *csg_value_frames(const char *text, int *num)
+{
+    return csg_value_int(text, num) && *num > 0 && *num <= MAX_FRAMES ? NULL
+                                                                      : "a number from 1 to 100000";
 }
 
 bool csg_value_double(const char *text, double *value)
@@ -52,31 +57,4 @@ bool csg_value_enum(const char *text, const struct csg_value_name *names, int *v
         }
     }
     return false;
-}
-
-static size_t smallest(size_t a, size_t b, size_t c)
-{
-    const size_t least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-/* Levenshtein's table, one row at a time. */
-size_t csg_value_distance(const char *a, const char *b)
-{
-    const size_t a_length = strlen(a), b_length = strlen(b);
-    size_t row[MAX_WORD + 1];
-    if (a_length > MAX_WORD || b_length > MAX_WORD)
-        return MAX_WORD + 1;
-    for (size_t j = 0; j <= b_length; j++)
-        row[j] = j;
-    for (size_t i = 0; i < a_length; i++) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < b_length; j++) {
-            const size_t above = row[j + 1];
-            row[j + 1] = smallest(above + 1, row[j] + 1, diagonal + (a[i] != b[j]));
-            diagonal = above;
-        }
-    }
-    return row[b_length];
 }

@@ -10,6 +10,9 @@
 /* A whole number and nothing else. */
 bool csg_value_int(const char *text, int *value);
 
+/* A number of frames. What was expected instead; NULL when all is well. */
+const char *csg_value_frames(const char *text, int *num);
+
 /* A finite number and nothing else. */
 bool csg_value_double(const char *text, double *value);
 
@@ -23,8 +26,5 @@ struct csg_value_name {
 
 /* Looks text up in a table that ends with a NULL name. */
 bool csg_value_enum(const char *text, const struct csg_value_name *names, int *value);
-
-/* How many letters to insert, delete or change to get b from a; capped at a large number. */
-size_t csg_value_distance(const char *a, const char *b);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "common/spelling.h"
 #include "nodes/compounds.h"
 #include "nodes/figures.h"
 #include "nodes/flatten.h"
@@ -141,44 +142,12 @@ const struct csg_node_ops *csg_node_find(const char *name, size_t length)
 
 /* ---- suggestions ------------------------------------------------------------------------ */
 
-enum { longest_name = 24 }; /* of those that are compared */
-
-static char lower(char c)
-{
-    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-}
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
-/* Levenshtein's edit distance, upper and lower case alike. */
-static size_t edit_distance(const char *a, size_t a_length, const char *b, size_t b_length)
-{
-    size_t row[longest_name + 1];
-    for (size_t j = 0; j <= b_length; j++)
-        row[j] = j;
-    for (size_t i = 1; i <= a_length; i++) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b_length; j++) {
-            const size_t replaced = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
-            diagonal = row[j];
-            row[j] = smaller(replaced, smaller(row[j], row[j - 1]) + 1);
-        }
-    }
-    return row[b_length];
-}
-
 /* Keeps candidate in best when it is nearer to name than distance, which is updated. */
 static void consider(const char *candidate, const char *name, size_t length, size_t *distance,
                      const char **best)
 {
-    const size_t candidate_length = strlen(candidate);
-    if (candidate_length > longest_name)
-        return;
-    const size_t candidate_distance = edit_distance(name, length, candidate, candidate_length);
+    const size_t candidate_distance =
+        csg_spelling_distance(name, length, candidate, strlen(candidate));
     if (candidate_distance < *distance) {
         *distance = candidate_distance;
         *best = candidate;
@@ -189,8 +158,6 @@ const char *csg_node_suggest(const char *name, size_t length)
 {
     const char *best = NULL;
     size_t distance = length / 3 + 2; /* a third of the letters and one may be wrong */
-    if (length > longest_name)
-        return NULL;
     for (size_t i = 0; i < CSG_NUM_KINDS; i++)
         consider(csg_solids[i]->name, name, length, &distance, &best);
     for (size_t i = 0; i < num_nodes; i++)
