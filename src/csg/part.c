@@ -77,3 +77,24 @@ bool csg_part_append(struct csg_part *part, struct csg_part *other, bool negated
     csg_part_finish(other);
     return ok;
 }
+
+bool csg_part_is_union(const struct csg_part *part)
+{
+    for (size_t i = 0; i < part->tree.num; i++) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op == CSG_LEAF ? node->negated : node->op == CSG_AND && node->end != i + 2)
+            return false;
+    }
+    return true;
+}
+
+size_t csg_part_next_uncut(const struct csg_part *part, size_t i)
+{
+    while (i < part->tree.num) {
+        const struct csg_node *node = &part->tree.data[i];
+        if (node->op == CSG_LEAF && !node->negated)
+            return i;
+        i = node->op == CSG_AND && node->end > i + 2 ? node->end : i + 1;
+    }
+    return i;
+}

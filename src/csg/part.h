@@ -34,4 +34,11 @@ bool csg_part_add(struct csg_part *part, struct csg_shape *shape, bool negated);
 /* Adds all of other, or its complement; other is empty afterwards. */
 bool csg_part_append(struct csg_part *part, struct csg_part *other, bool negated);
 
+/* Whether it is a union of shapes. */
+bool csg_part_is_union(const struct csg_part *part);
+
+/* The next leaf, from the node i on, that no difference or intersection cuts; the number of nodes
+ * where there is none. */
+size_t csg_part_next_uncut(const struct csg_part *part, size_t i);
+
 #endif

@@ -68,15 +68,6 @@ static struct csg_space own_space(const struct csg_space *around)
     return space;
 }
 
-static struct csg_box box_of(const struct csg_drawing *drawing, const struct csg_figure *figure)
-{
-    struct csg_box box = csg_box_empty;
-    for (uint32_t i = figure->begin; i < figure->end; i++)
-        for (uint32_t j = drawing->contours.data[i].begin; j < drawing->contours.data[i].end; j++)
-            csg_box_extend(&box, csg_vec3(drawing->points.data[j].x, drawing->points.data[j].y, 0));
-    return box;
-}
-
 bool csg_drawing_place(struct csg_walk *walk, struct csg_drawing *drawing, uint32_t draw,
                        const struct csg_space *space)
 {
@@ -91,7 +82,7 @@ bool csg_drawing_place(struct csg_walk *walk, struct csg_drawing *drawing, uint3
         if (node->op != CSG_DRAW_FIGURE)
             continue;
         struct csg_figure *figure = &drawing->figures.data[node->figure];
-        const struct csg_box box = box_of(drawing, figure);
+        const struct csg_box box = csg_figure_written(drawing, figure);
         figure->rounding += csg_space_rounding(space, &box) / csg_space_stretch(space);
     }
     return csg_drawing_map(drawing, draw, (uint32_t)drawing->nodes.num, &space->map,

@@ -5,34 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    header_size = 80, /* then the number of triangles, which is that of the records */
-    count_size = 4,
-    record_size = 50, /* normal, three corners, two bytes of attributes */
-    short_size = 38,  /* without the normal, see is_whole_record */
-};
+/* Of a triangle without its normal, see is_whole_record. */
+enum { SHORT_RECORD = CSG_STL_RECORD - CSG_STL_POINT };
 
-/* A float is off by at most that part of itself. */
-static const double float_rounding = 0x1p-24;
 static const double unit_slack = 1e-4; /* of the length of a normal computed in float */
-
-static uint32_t read_uint32(const char *bytes)
-{
-    unsigned char raw[4];
-    memcpy(raw, bytes, sizeof raw);
-    return (uint32_t)raw[0] | (uint32_t)raw[1] << 8 | (uint32_t)raw[2] << 16 |
-           (uint32_t)raw[3] << 24;
-}
-
-static struct csg_vec3 read_point(const char *bytes)
-{
-    float p[3];
-    for (int i = 0; i < 3; i++) {
-        const uint32_t bits = read_uint32(bytes + 4 * i);
-        memcpy(&p[i], &bits, sizeof p[i]);
-    }
-    return csg_vec3((double)p[0], (double)p[1], (double)p[2]);
-}
 
 static bool is_same(struct csg_vec3 a, struct csg_vec3 b)
 {
@@ -46,54 +22,42 @@ static bool is_same(struct csg_vec3 a, struct csg_vec3 b)
  */
 static bool is_whole_record(const char *bytes, size_t rest)
 {
-    if (rest < record_size)
+    if (rest < CSG_STL_RECORD)
         return false;
-    const struct csg_vec3 a = read_point(bytes + 12), b = read_point(bytes + 24),
-                          c = read_point(bytes + 36);
-    const double length = csg_length(read_point(bytes));
+    const struct csg_vec3 a = csg_stl_point(bytes + 12), b = csg_stl_point(bytes + 24),
+                          c = csg_stl_point(bytes + 36);
+    const double length = csg_length(csg_stl_point(bytes));
     return (length == 0 || fabs(length - 1) < unit_slack) && !is_same(a, b) && !is_same(b, c) &&
            !is_same(a, c);
 }
 
-static bool add_triangle(struct csg_mesh *mesh, const char *corners)
-{
-    bool ok = true;
-    for (int i = 0; i < 3 && ok; i++) {
-        const struct csg_vec3 p = read_point(corners + 12 * i);
-        const uint32_t index = (uint32_t)mesh->points.num;
-        ok = csg_mesh_add_point(mesh, p) && csg_array_push(&mesh->corners, index);
-    }
-    return ok && csg_mesh_close_face(mesh);
-}
-
-static enum csg_stl_result read_triangles(const struct csg_bytes *bytes, struct csg_mesh *mesh)
+static enum csg_mesh_file read_triangles(const struct csg_bytes *bytes, struct csg_mesh *mesh)
 {
     bool ok = true;
     uint32_t num = 0;
-    if (bytes->num < header_size + count_size || bytes->num / short_size > UINT32_MAX / 3)
-        return CSG_STL_MALFORMED;
-    for (size_t at = header_size + count_size; at < bytes->num && ok;) {
+    if (bytes->num < CSG_STL_HEADER + CSG_STL_COUNT || bytes->num / SHORT_RECORD > UINT32_MAX / 3)
+        return CSG_MESH_FILE_MALFORMED;
+    for (size_t at = CSG_STL_HEADER + CSG_STL_COUNT; at < bytes->num && ok;) {
         const size_t rest = bytes->num - at;
         const bool is_whole = is_whole_record(bytes->data + at, rest);
-        if (!is_whole && rest < short_size)
-            return CSG_STL_MALFORMED;
+        if (!is_whole && rest < SHORT_RECORD)
+            return CSG_MESH_FILE_MALFORMED;
         if (is_whole)
-            ok = add_triangle(mesh, bytes->data + at + 12);
-        at += is_whole ? record_size : short_size;
+            ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT);
+        at += is_whole ? CSG_STL_RECORD : SHORT_RECORD;
         num++;
     }
-    if (ok && num != read_uint32(bytes->data + header_size)) /* where the disk was full */
-        return CSG_STL_MALFORMED;
-    if (!isfinite(mesh->size))
-        return CSG_STL_MALFORMED;
-    mesh->rounding = mesh->size * float_rounding;
-    return ok && csg_mesh_clean(mesh, NULL) ? CSG_STL_DONE : CSG_STL_NO_MEMORY;
+    if (ok && num != csg_stl_uint32(bytes->data + CSG_STL_HEADER)) /* where the disk was full */
+        return CSG_MESH_FILE_MALFORMED;
+    if (!csg_stl_end(mesh))
+        return CSG_MESH_FILE_MALFORMED;
+    return ok && csg_mesh_clean(mesh, NULL) ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
 }
 
-enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh)
+enum csg_mesh_file csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh)
 {
-    const enum csg_stl_result result = read_triangles(bytes, mesh);
-    if (result == CSG_STL_MALFORMED) {
+    const enum csg_mesh_file result = read_triangles(bytes, mesh);
+    if (result == CSG_MESH_FILE_MALFORMED) {
         csg_mesh_finish(mesh);
         *mesh = (struct csg_mesh){0};
     }

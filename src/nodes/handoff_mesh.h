@@ -7,19 +7,12 @@
  * floats, against six digits in all the others.
  */
 
-#include "common/file.h"
+#include "nodes/mesh_file.h"
 #include "plane/drawing.h"
-#include "polyhedra/mesh.h"
-
-enum csg_stl_result {
-    CSG_STL_DONE,
-    CSG_STL_MALFORMED,
-    CSG_STL_NO_MEMORY,
-};
 
 /* Fills an empty mesh with the triangles, corners at the same place joined; its rounding is that of
  * floats. Triangles without area are left out. Malformed: it stays empty. */
-enum csg_stl_result csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh);
+enum csg_mesh_file csg_stl_read(const struct csg_bytes *bytes, struct csg_mesh *mesh);
 
 /* The floor at z = 0 of a drawing that was extruded from there: adds its contours, mapped, to the
  * drawing as one figure. false: out of memory. */

@@ -211,10 +211,10 @@ static bool take_value(struct csg_handoff_run *run, const struct csg_handoff_job
                                   .num = value->num - begin - size};
     if (!ok || stl.num == 0)
         return ok || csg_handoff_no_memory(run);
-    const enum csg_stl_result read = csg_stl_read(&stl, &result->mesh);
-    if (read == CSG_STL_MALFORMED)
+    const enum csg_mesh_file read = csg_stl_read(&stl, &result->mesh);
+    if (read == CSG_MESH_FILE_MALFORMED)
         fail(run, job->node, "its STL file cannot be read", "");
-    return read != CSG_STL_NO_MEMORY || csg_handoff_no_memory(run);
+    return read != CSG_MESH_FILE_NO_MEMORY || csg_handoff_no_memory(run);
 }
 
 static void fail_job(const struct csg_handoff_run *run, struct csg_handoff_job *job)

@@ -6,9 +6,6 @@
 
 #include "common/number.h"
 
-/* Binary STL: a header, the number of triangles, and each with a normal and two bytes behind it. */
-enum { header_size = 80, count_size = 4, record_size = 50, normal_size = 12 };
-
 /* A float is off by at most that part of itself; six digits of a text by at most that part. */
 static const double float_rounding = 0x1p-24, text_rounding = 5e-7;
 
@@ -63,7 +60,7 @@ static bool read_point(struct csg_words *words, struct csg_vec3 *p)
 
 /* ---- STL ---------------------------------------------------------------------------------- */
 
-static uint32_t read_uint32(const char *bytes)
+uint32_t csg_stl_uint32(const char *bytes)
 {
     unsigned char raw[4];
     memcpy(raw, bytes, sizeof raw);
@@ -71,12 +68,14 @@ static uint32_t read_uint32(const char *bytes)
            (uint32_t)raw[3] << 24;
 }
 
-static double read_float(const char *bytes)
+struct csg_vec3 csg_stl_point(const char *bytes)
 {
-    const uint32_t bits = read_uint32(bytes);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return (double)value;
+    float p[3];
+    for (int i = 0; i < 3; i++) {
+        const uint32_t bits = csg_stl_uint32(bytes + 4 * i);
+        memcpy(&p[i], &bits, sizeof p[i]);
+    }
+    return csg_vec3((double)p[0], (double)p[1], (double)p[2]);
 }
 
 static bool add_corner(struct csg_mesh *mesh, struct csg_vec3 p)
@@ -85,21 +84,32 @@ static bool add_corner(struct csg_mesh *mesh, struct csg_vec3 p)
     return csg_mesh_add_point(mesh, p) && csg_array_push(&mesh->corners, index);
 }
 
+bool csg_stl_add(struct csg_mesh *mesh, const char *corners)
+{
+    bool ok = true;
+    for (size_t i = 0; i < 3 && ok; i++)
+        ok = add_corner(mesh, csg_stl_point(corners + CSG_STL_POINT * i));
+    return ok && csg_mesh_close_face(mesh);
+}
+
+bool csg_stl_end(struct csg_mesh *mesh)
+{
+    bool is_finite = true;
+    for (size_t i = 0; i < mesh->points.num; i++) {
+        const struct csg_vec3 p = mesh->points.data[i];
+        is_finite &= isfinite(p.x + p.y + p.z) != 0;
+    }
+    mesh->rounding = mesh->size * float_rounding;
+    return is_finite;
+}
+
 static enum csg_mesh_file read_binary(const struct csg_bytes *bytes, struct csg_mesh *mesh)
 {
     bool ok = true;
-    for (size_t at = header_size + count_size; at < bytes->num && ok; at += record_size) {
-        for (size_t i = 0; i < 3 && ok; i++) {
-            const char *corner = bytes->data + at + normal_size + 12 * i;
-            const struct csg_vec3 p = {read_float(corner), read_float(corner + 4),
-                                       read_float(corner + 8)};
-            if (!isfinite(p.x + p.y + p.z))
-                return CSG_MESH_FILE_MALFORMED;
-            ok = add_corner(mesh, p);
-        }
-        ok = ok && csg_mesh_close_face(mesh);
-    }
-    mesh->rounding = mesh->size * float_rounding;
+    for (size_t at = CSG_STL_HEADER + CSG_STL_COUNT; at < bytes->num && ok; at += CSG_STL_RECORD)
+        ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT);
+    if (!csg_stl_end(mesh))
+        return CSG_MESH_FILE_MALFORMED;
     return ok ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
 }
 
@@ -137,11 +147,11 @@ enum csg_mesh_file csg_stl_file_read(const struct csg_bytes *bytes, struct csg_m
                                      size_t *line)
 {
     *line = 0;
-    if (bytes->num / record_size > UINT32_MAX / 3)
+    if (bytes->num / CSG_STL_RECORD > UINT32_MAX / 3)
         return CSG_MESH_FILE_FOREIGN;
-    if (bytes->num >= header_size + count_size &&
-        bytes->num ==
-            header_size + count_size + (size_t)record_size * read_uint32(bytes->data + header_size))
+    const size_t begin = CSG_STL_HEADER + CSG_STL_COUNT;
+    if (bytes->num >= begin &&
+        bytes->num == begin + (size_t)CSG_STL_RECORD * csg_stl_uint32(bytes->data + CSG_STL_HEADER))
         return read_binary(bytes, mesh);
     if (bytes->num < 5 || memcmp(bytes->data, "solid", 5) != 0)
         return CSG_MESH_FILE_MALFORMED;

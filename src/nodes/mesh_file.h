@@ -29,6 +29,18 @@ bool csg_words_next_line(struct csg_words *words);
 /* The next word of this line as a finite number. false: it is none, or missing. */
 bool csg_words_number(struct csg_words *words, double *number);
 
+/* Binary STL: a header, the number of triangles, and each with a normal and two bytes behind it. */
+enum { CSG_STL_HEADER = 80, CSG_STL_COUNT = 4, CSG_STL_RECORD = 50, CSG_STL_POINT = 12 };
+
+uint32_t csg_stl_uint32(const char *bytes);
+struct csg_vec3 csg_stl_point(const char *bytes);
+
+/* Adds a triangle. false: out of memory. */
+bool csg_stl_add(struct csg_mesh *mesh, const char *corners);
+
+/* After the last one. false: a number is not finite. */
+bool csg_stl_end(struct csg_mesh *mesh);
+
 /* As OpenSCAD 2021.01 reads them. The mesh is not clean yet. */
 enum csg_mesh_file csg_stl_file_read(const struct csg_bytes *bytes, struct csg_mesh *mesh,
                                      size_t *line);

@@ -31,75 +31,29 @@ struct lathe {
     CSG_ARRAY(struct trapezoid) trapezoids;
 };
 
-/* Coordinates below this share of the largest, or below the rounding, are on the axis. */
-#define ON_AXIS 1e-9
-
 /* A profile that turns inwards by less is straight: radius per height. */
 #define STRAIGHT 1e-9
 
 /* ---- the profile -------------------------------------------------------------------------- */
 
-static void extend(struct csg_profile *profile, double x)
-{
-    profile->lo = fmin(profile->lo, x);
-    profile->hi = fmax(profile->hi, x);
-}
-
-enum csg_sweep_result csg_profile_init(struct csg_profile *profile,
-                                       const struct csg_drawing *drawing)
-{
-    *profile = (struct csg_profile){.lo = INFINITY, .hi = -INFINITY};
-    const enum csg_sweep_result result = csg_sweep(&profile->sweep, drawing, 0);
-    const struct csg_sweep *sweep = &profile->sweep;
-    profile->snap = fmax(ON_AXIS * sweep->size,
-                         2 * csg_drawing_rounding(drawing, 0, (uint32_t)drawing->nodes.num));
-    for (size_t i = 0; i < sweep->spans.num; i++) {
-        const struct csg_sweep_span *span = &sweep->spans.data[i];
-        for (uint32_t level = span->level; level <= span->level + 1; level++) {
-            extend(profile, csg_sweep_x(sweep, span->left, level));
-            extend(profile, csg_sweep_x(sweep, span->right, level));
-        }
-    }
-    return result;
-}
-
-void csg_profile_finish(struct csg_profile *profile)
-{
-    csg_sweep_finish(&profile->sweep);
-}
-
-/* Going up along the outside, where a convex profile turns from outwards to inwards. */
-struct outside {
-    struct csg_vec2 at;
-    double degrees, dents; /* of its direction, from outwards; of the deepest bend back */
+/* Trapezoids that end at the top of a slab, in the order of x. */
+struct tops {
+    CSG_ARRAY(size_t) list;
+    size_t num_passed; /* while those of the slab above are looked for */
 };
 
-static void go(struct outside *outside, struct csg_vec2 to)
+/* The one that the span goes on; the number of trapezoids: there is none. */
+static size_t find_below(const struct lathe *lathe, struct tops *below,
+                         const struct csg_sweep_span *span)
 {
-    const double x = to.x - outside->at.x, y = to.y - outside->at.y;
-    const double degrees = atan2(y, x) * (180 / acos(-1.0));
-    outside->dents = fmax(outside->dents, outside->degrees - degrees);
-    outside->degrees = degrees;
-    outside->at = to;
-}
-
-double csg_profile_dents(const struct csg_profile *profile)
-{
-    const struct csg_sweep *sweep = &profile->sweep;
-    struct outside outside = {.at.y = sweep->levels.num ? sweep->levels.data[0] : 0};
-    for (size_t i = 0; i < sweep->spans.num; i++) {
-        const struct csg_sweep_span *span = &sweep->spans.data[i];
-        for (uint32_t level = span->level; level <= span->level + 1; level++) {
-            const double left = fabs(csg_sweep_x(sweep, span->left, level));
-            const double right = fabs(csg_sweep_x(sweep, span->right, level));
-            const struct csg_vec2 to = {fmax(left, right), sweep->levels.data[level]};
-            if (span->level != i || fmin(left, right) > profile->snap)
-                return INFINITY;
-            if (level > span->level || fabs(to.x - outside.at.x) > profile->snap)
-                go(&outside, to);
-        }
+    for (size_t i = below->num_passed; i < below->list.num; i++) {
+        const struct trapezoid *old = &lathe->trapezoids.data[below->list.data[i]];
+        if (old->end != span->level || old->left != span->left || old->right != span->right)
+            continue;
+        below->num_passed = i + 1;
+        return below->list.data[i];
     }
-    return outside.dents;
+    return lathe->trapezoids.num;
 }
 
 /* Joins the spans of neighbouring slabs that lie between the same edges. Both are in the order of
@@ -107,37 +61,27 @@ double csg_profile_dents(const struct csg_profile *profile)
 static bool find_trapezoids(struct lathe *lathe)
 {
     const struct csg_sweep *sweep = &lathe->profile->sweep;
-    size_t below = 0, above = 0; /* the first trapezoid of the slab below and of this one */
-    CSG_ARRAY(size_t) tops[2] = {{0}, {0}};
+    struct tops below = {.num_passed = 0}, above = {.num_passed = 0};
     bool ok = true;
     for (size_t i = 0; i < sweep->spans.num && ok; i++) {
-        const struct csg_sweep_span span = sweep->spans.data[i];
-        if (i == 0 || sweep->spans.data[i - 1].level != span.level) {
-            tops[0].num = 0;
-            for (size_t k = 0; k < tops[1].num && ok; k++)
-                ok = csg_array_push(&tops[0], tops[1].data[k]);
-            tops[1].num = 0;
-            below = 0;
+        const struct csg_sweep_span *span = &sweep->spans.data[i];
+        if (i > 0 && span[-1].level != span->level) {
+            const struct tops old = below;
+            below = above;
+            above = old;
+            below.num_passed = above.list.num = 0;
         }
-        above = lathe->trapezoids.num;
-        for (size_t k = below; k < tops[0].num; k++) {
-            struct trapezoid *old = &lathe->trapezoids.data[tops[0].data[k]];
-            if (old->end == span.level && old->left == span.left && old->right == span.right) {
-                above = tops[0].data[k];
-                below = k + 1;
-                break;
-            }
-        }
-        if (above < lathe->trapezoids.num)
-            lathe->trapezoids.data[above].end = span.level + 1;
+        const size_t at = find_below(lathe, &below, span);
+        if (at < lathe->trapezoids.num)
+            lathe->trapezoids.data[at].end = span->level + 1;
         else
-            ok = ok && csg_array_push(
-                           &lathe->trapezoids,
-                           ((struct trapezoid){span.left, span.right, span.level, span.level + 1}));
-        ok = ok && csg_array_push(&tops[1], above);
+            ok = csg_array_push(
+                &lathe->trapezoids,
+                ((struct trapezoid){span->left, span->right, span->level, span->level + 1}));
+        ok = ok && csg_array_push(&above.list, at);
     }
-    free(tops[0].data);
-    free(tops[1].data);
+    free(below.list.data);
+    free(above.list.data);
     return ok;
 }
 

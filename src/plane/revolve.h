@@ -5,7 +5,7 @@
 /* rotate_extrude: the drawing, cut into trapezoids, turned about its y axis, which becomes z. */
 
 #include "csg/part.h"
-#include "plane/sweep.h"
+#include "plane/profile.h"
 
 struct csg_turn {
     double start, angle; /* degrees from +x; angle in (-360, 360] and not 0; 360: all round */
@@ -18,22 +18,6 @@ static inline bool csg_turn_is_flat(const struct csg_turn *turn)
 {
     return turn->facetted && fabs(turn->angle) == 180.0 * turn->num;
 }
-
-/* What the profile covers: lo > hi when it is empty. x closer to 0 than snap counts as 0. */
-struct csg_profile {
-    struct csg_sweep sweep;
-    double lo, hi; /* of x */
-    double snap;
-};
-
-/* Sweeps the whole drawing. */
-enum csg_sweep_result csg_profile_init(struct csg_profile *profile,
-                                       const struct csg_drawing *drawing);
-void csg_profile_finish(struct csg_profile *profile);
-
-/* How deep the dents of a profile are that reaches out from the axis: the most degrees that a corner
- * bends inwards. INFINITY where it does not reach to the axis at some height. */
-double csg_profile_dents(const struct csg_profile *profile);
 
 /* The profile must lie on one side of the axis. false: out of memory. */
 bool csg_revolve(struct csg_part *part, const struct csg_profile *profile,

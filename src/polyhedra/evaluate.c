@@ -330,27 +330,6 @@ static enum csg_hull_result evaluate_tree(const struct csg_part *part,
     return result;
 }
 
-bool csg_part_is_union(const struct csg_part *part)
-{
-    for (size_t i = 0; i < part->tree.num; i++) {
-        const struct csg_node *node = &part->tree.data[i];
-        if (node->op == CSG_LEAF ? node->negated : node->op == CSG_AND && node->end != i + 2)
-            return false;
-    }
-    return true;
-}
-
-size_t csg_part_next_uncut(const struct csg_part *part, size_t i)
-{
-    while (i < part->tree.num) {
-        const struct csg_node *node = &part->tree.data[i];
-        if (node->op == CSG_LEAF && !node->negated)
-            return i;
-        i = node->op == CSG_AND && node->end > i + 2 ? node->end : i + 1;
-    }
-    return i;
-}
-
 static bool is_surface(const struct csg_part *part, size_t leaf)
 {
     return part->shapes.data[part->tree.data[leaf].leaf].surface != NULL;

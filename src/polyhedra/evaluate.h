@@ -8,13 +8,6 @@
 #include "csg/part.h"
 #include "polyhedra/clusters.h"
 
-/* Whether it is a union of shapes, which needs no cutting. */
-bool csg_part_is_union(const struct csg_part *part);
-
-/* The next leaf, from the node i on, that no difference or intersection cuts; the number of nodes
- * where there is none. */
-size_t csg_part_next_uncut(const struct csg_part *part, size_t i);
-
 /* Appends the sets; points_only: they need not be convex, it is their hull that counts.
  * CSG_HULL_FLAT: they would be too many, or a surface is none or is cut. */
 enum csg_hull_result csg_part_evaluate(const struct csg_part *part, bool points_only,
