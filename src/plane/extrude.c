@@ -19,6 +19,7 @@ struct extruder {
     const struct csg_drawing *drawing;
     const struct csg_lift *lift;
     size_t max_pieces; /* more become a surface */
+    size_t num_pieces; /* of polygons that a crowd has as surfaces */
     CSG_ARRAY(struct open) open;
     bool too_large;
 };
@@ -106,6 +107,8 @@ static bool add_polygon(struct extruder *extruder, uint32_t node, bool negated)
         csg_pieces_finish(&pieces);
         return ok;
     }
+    if (pieces.pieces.num > CSG_EXTRUDE_ALONE_PIECES)
+        extruder->num_pieces += pieces.pieces.num;
     ok = csg_part_open(extruder->part, negated);
     for (size_t i = 0; i < pieces.pieces.num && ok && !extruder->part->is_too_large; i++)
         ok = add_piece(extruder, figure, &pieces, &pieces.pieces.data[i], negated);
@@ -142,24 +145,45 @@ static bool open_node(struct extruder *extruder, const struct csg_draw_node *nod
            csg_array_push(&extruder->open, open);
 }
 
+static bool is_crowded(const struct extruder *extruder)
+{
+    return extruder->max_pieces == CSG_EXTRUDE_PIECES &&
+           extruder->num_pieces > CSG_EXTRUDE_CROWD_PIECES;
+}
+
+/* Until they turn out to be a crowd. */
+static bool add_nodes(struct extruder *extruder)
+{
+    const struct csg_drawing *drawing = extruder->drawing;
+    bool ok = true;
+    for (uint32_t i = 0;
+         i < drawing->nodes.num && ok && !extruder->part->is_too_large && !is_crowded(extruder);
+         i++) {
+        const struct csg_draw_node *node = &drawing->nodes.data[i];
+        close_nodes(extruder, i);
+        const bool negated = take_child(extruder);
+        if (node->op != CSG_DRAW_FIGURE)
+            ok = open_node(extruder, node, i, negated);
+        else if (drawing->figures.data[node->figure].is_disc)
+            ok = add_disc(extruder, &drawing->figures.data[node->figure], negated);
+        else
+            ok = add_polygon(extruder, i, negated);
+    }
+    close_nodes(extruder, UINT32_MAX);
+    return ok;
+}
+
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
                  const struct csg_lift *lift, size_t max_pieces, bool *too_large)
 {
     struct extruder extruder = {
         .part = part, .drawing = drawing, .lift = lift, .max_pieces = max_pieces};
-    bool ok = true;
-    for (uint32_t i = 0; i < drawing->nodes.num && ok && !part->is_too_large; i++) {
-        const struct csg_draw_node *node = &drawing->nodes.data[i];
-        close_nodes(&extruder, i);
-        const bool negated = take_child(&extruder);
-        if (node->op != CSG_DRAW_FIGURE)
-            ok = open_node(&extruder, node, i, negated);
-        else if (drawing->figures.data[node->figure].is_disc)
-            ok = add_disc(&extruder, &drawing->figures.data[node->figure], negated);
-        else
-            ok = add_polygon(&extruder, i, negated);
+    bool ok = add_nodes(&extruder);
+    if (ok && is_crowded(&extruder)) {
+        csg_part_finish(part);
+        extruder.max_pieces = CSG_EXTRUDE_ALONE_PIECES;
+        ok = add_nodes(&extruder);
     }
-    close_nodes(&extruder, UINT32_MAX);
     free(extruder.open.data);
     *too_large = extruder.too_large;
     return ok;

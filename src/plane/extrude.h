@@ -19,8 +19,12 @@
  * soon as what stands by itself. */
 #define CSG_EXTRUDE_CROWD 32
 
-/* Polygons become unions of convex pieces, those of more than max_pieces one surface. false: out of
- * memory, or, with too_large set, a figure that is too large to be cut. */
+/* So are the polygons of one drawing, as a page of text, that are more pieces than this together,
+ * those of up to CSG_EXTRUDE_ALONE_PIECES not counted. */
+#define CSG_EXTRUDE_CROWD_PIECES 4000
+
+/* Polygons become unions of convex pieces, those of more than max_pieces one surface. part is empty.
+ * false: out of memory, or, with too_large set, a figure that is too large to be cut. */
 bool csg_extrude(struct csg_part *part, const struct csg_drawing *drawing,
                  const struct csg_lift *lift, size_t max_pieces, bool *too_large);
 

@@ -9,19 +9,26 @@
 #include "check.h"
 #include "csgcast/csgcast.h"
 
-enum { NUM_CORNERS = 80, MAX_TEXT = 1 << 18 };
+/* A star of so many corners is so many pieces. */
+enum { NUM_CORNERS = 80, NUM_PIECES = 52, MAX_TEXT = 1 << 18 };
 
 /* Returns the end of the text. */
-static char *put_star(char *at, int place)
+static char *put_polygon(char *at)
 {
-    at += sprintf(at, "translate([%d, 0, 0]) difference() { linear_extrude(height = %g) polygon([",
-                  30 * place, 4 + 0.01 * place);
+    at += sprintf(at, "polygon([");
     for (int i = 0; i < NUM_CORNERS; i++) {
         const double a = 2 * acos(-1) * i / NUM_CORNERS, r = i % 2 ? 10 : 8;
         at += sprintf(at, "%s[%.9g, %.9g]", i ? ", " : "", r * cos(a), r * sin(a));
     }
-    at += sprintf(at, "]); cylinder(r = 4, h = 20, center = true); }\n");
-    return at;
+    return at + sprintf(at, "]);");
+}
+
+static char *put_star(char *at, int place)
+{
+    at += sprintf(at, "translate([%d, 0, 0]) difference() { linear_extrude(height = %g) ",
+                  30 * place, 4 + 0.01 * place);
+    at = put_polygon(at);
+    return at + sprintf(at, " cylinder(r = 4, h = 20, center = true); }\n");
 }
 
 static void check_stars(int num, bool are_surfaces)
@@ -54,11 +61,34 @@ static void check_edit(void)
     csgcast_scene_destroy(scene);
 }
 
+/* One extrusion of all stars. */
+static void check_drawing(int num, size_t num_leaves)
+{
+    static char text[MAX_TEXT];
+    char *end = text;
+    struct csgcast_scene_info info = {0};
+    end += sprintf(end, "difference() { cube([%d, 30, 2]); linear_extrude(height = 4) {", 30 * num);
+    for (int i = 0; i < num; i++) {
+        end += sprintf(end, "translate([%d, 15]) ", 30 * i + 15);
+        end = put_polygon(end);
+    }
+    end += sprintf(end, "} }");
+    struct csgcast_scene *scene = csgcast_scene_parse(text, (size_t)(end - text), NULL);
+    CHECK(scene, "a drawing of %d stars", num);
+    csgcast_scene_get_info(scene, &info);
+    CHECK(info.num_leaves == num_leaves + 1, "a drawing of %d stars is %zu leaves", num,
+          info.num_leaves - 1);
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
+    enum { NUM_ALONE = CSG_EXTRUDE_CROWD_PIECES / NUM_PIECES };
     check_stars(1, false);
     check_stars(CSG_EXTRUDE_CROWD - 1, false);
     check_stars(CSG_EXTRUDE_CROWD, true);
     check_edit();
+    check_drawing(NUM_ALONE, (size_t)NUM_ALONE * NUM_PIECES);
+    check_drawing(NUM_ALONE + 1, NUM_ALONE + 1);
     return num_failed != 0;
 }
