@@ -11,8 +11,8 @@
 #define MOST_ROOM 16
 
 /* Where more than this part of the leaves change, as all do in an animation, the carriers of all
- * are sooner found anew than those of the changed ones taken out of the index and put into it. Not
- * so of surfaces of triangles, most of whose faces are near nothing and are in no index. */
+ * are sooner found anew than those of the changed ones taken out of the index and put into it.
+ * Surfaces of triangles do not count: most of their faces are near nothing and in no index. */
 #define MAX_PART 2
 
 static void *copy_of(const void *data, size_t num, size_t size)
@@ -309,6 +309,14 @@ static struct csg_carriers *make(struct csg_carrier_change *change)
     return NULL;
 }
 
+static bool are_most(const struct csgcast_scene *scene, const struct csg_before *before)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < before->num; i++)
+        num += !scene->leaves[before->leaves[i]].shape.surface;
+    return num > scene->num_leaves / MAX_PART;
+}
+
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                        const struct csg_before *before)
 {
@@ -316,7 +324,7 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                         .before = before,
                                         .builder = before->scene->carriers->kept,
                                         .is_same = before->objects != NULL};
-    if (before->num > scene->num_leaves / MAX_PART && !before->scene->has_surfaces)
+    if (are_most(scene, before))
         return csg_carriers_create(scene, false);
     if (!change.builder)
         return csg_carriers_create(scene, true);

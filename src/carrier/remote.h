@@ -4,9 +4,9 @@
 
 /*
  * Remote: faces of a surface that no other solid's box comes near, or, where that is a surface too,
- * none of the boxes of its triangles. No ray meets another solid's face where it meets a remote
- * one, so nobody needs to look for what it coincides with, but for faces of its own surface
- * (own_faces.h).
+ * none of the boxes of its triangles, or else none of its planes that is parallel to them. Nowhere
+ * on a ray does another solid's face coincide with a remote one, so nobody needs to look for what
+ * that coincides with, but for faces of its own surface (own_faces.h).
  */
 
 #include "csg/scene.h"

@@ -68,6 +68,7 @@ void check_all(struct bench *bench);
 void check_growth(struct bench *bench);
 void check_bar(struct bench *bench);
 void check_cases(struct bench *bench);
+void check_engraved(struct bench *bench);
 void check_nodes(struct bench *bench);
 
 #endif

@@ -42,6 +42,7 @@ int main(int argc, char **argv)
     check_all(&bench);
     check_bar(&bench);
     check_cases(&bench);
+    check_engraved(&bench);
     check_nodes(&bench);
     csgcast_renderer_destroy(bench.edited);
     csgcast_renderer_destroy(bench.fresh);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Faces of a twisted extrusion: those that another solid comes near are compared with it, the
- * others have their own carriers. Of two surfaces those are compared that come near a triangle. One
- * that folds over itself has none that is known to be apart.
+ * Faces of a twisted extrusion: those that a parallel face of another solid comes near are compared
+ * with it, the others have their own carriers. Of two surfaces those are compared that come near a
+ * triangle. One that folds over itself has none that is known to be apart.
  */
 #include <stdio.h>
 #include <string.h>
@@ -67,6 +67,21 @@ static void test_flush(const char *second, size_t num_shared)
     csgcast_scene_destroy(scene);
 }
 
+/* Its faces are within the box, or cross its sides at an angle. */
+static void test_crossed(void)
+{
+    struct csgcast_scene *scene = scene_of(
+        "difference() { cube([60, 60, 15]); multmatrix([[1,0,0,30],[0,1,0,30],[0,0,1,5],[0,0,0,1]])"
+        " linear_extrude(height = 20, twist = 60, slices = 100) circle(r = 10, $fn = 40); }");
+    size_t leaf;
+    if (!scene)
+        return;
+    CHECK(surface_of(scene, &leaf), "no surface");
+    CHECK(scene->carriers->face_begin[leaf] == scene->carriers->face_begin[leaf + 1],
+          "faces that cross others at an angle are compared with them");
+    csgcast_scene_destroy(scene);
+}
+
 /* Two surfaces, one within the other: of their faces only caps come near, which are flush. The
  * inner one's are 38 triangles each. */
 static void test_nested(void)
@@ -108,6 +123,14 @@ int main(void)
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,10],[0,0,0,1]]) cube([40, 40, 11]);", 0);
     /* Touches it from below: left out. */
     test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,-5],[0,0,0,1]]) cube([40, 40, 5]);", 0);
+    /* Flush but for the rounding of six digits; and nearly. */
+    test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,9.99997],[0,0,0,1]])"
+               " cube([40, 40, 10.0000345]);",
+               38);
+    test_flush("multmatrix([[1,0,0,-20],[0,1,0,-20],[0,0,1,9.99997],[0,0,0,1]])"
+               " cube([40, 40, 10.001]);",
+               0);
+    test_crossed();
     test_nested();
     test_folded();
     return num_failed > 0;
