@@ -2,7 +2,14 @@
 #ifndef CSG_CARRIER_BUILDER_H
 #define CSG_CARRIER_BUILDER_H
 
-/* Carriers while they are found, leaf by leaf. For this folder. */
+/*
+ * Carriers while they are found, leaf by leaf. For this folder:
+ *   survey.c   where a scene's faces are looked up, and how far those that coincide may differ,
+ *   rank.c     in which order faces get their carriers,
+ *   find.c     which carrier a face lies on,
+ *   assign.c   gives it that one, or a new one; surface.c does so for surfaces of triangles,
+ *   carrier.c  all of that; edit.c and what it includes, the same after an edit.
+ */
 
 #include "carrier/carrier.h"
 #include "carrier/loners.h"

@@ -16,8 +16,7 @@
 /* A leaf's face on a carrier: carrier index and whether the leaf's inside is the other side. */
 struct csg_face {
     uint32_t carrier;
-    bool
-        flipped; /* plane: the leaf's normal is the carrier's, negated; quadric: inside is f >= 0 */
+    bool flipped;  /* a plane's normal is the carrier's, negated; a quadric's inside is f >= 0 */
     bool is_other; /* its own plane is not the carrier's to the last bit */
 };
 

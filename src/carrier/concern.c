@@ -26,8 +26,8 @@ void csg_carrier_find_last(struct csg_carrier_change *change, enum csg_face_kind
 
 /* ---- those that are near ------------------------------------------------------------------- */
 
-/* The last pair of a carrier that has one is the first that is met; cells of several widths may tell
- * of the same one. */
+/* The last pair of a carrier that has one is the first that is met; cells of several widths may
+ * tell of the same one. */
 static bool suspect(struct csg_carrier_change *change, uint32_t carrier, uint32_t created)
 {
     struct csg_carrier_work *work = &change->work[CSG_PLANE];

@@ -18,9 +18,9 @@ struct csg_loners {
 struct csg_carrier_builder;
 
 /*
- * Of the builder's leaves; its index is started, and nothing in it. A face is a loner where no other
- * one is in a cell that is looked at for it. The order of the faces does not matter.
- * false: out of memory.
+ * Of the builder's leaves; its index is started, and nothing in it. A face is a loner where no
+ * other one is in a cell that is looked at for it. The order of the faces does not matter. false:
+ * out of memory.
  */
 bool csg_loners_find(struct csg_loners *loners, const struct csg_carrier_builder *builder);
 void csg_loners_finish(struct csg_loners *loners);

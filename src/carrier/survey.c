@@ -14,8 +14,8 @@
 #define MAX_SHARE (1.0 / 128)
 #define MAX_LEVER 16.0
 
-/* Room beyond what the lever tells: of curved quadrics; of cylinders and cones from so many times as
- * large as thick on, and the most of those. */
+/* Room beyond what the lever tells: of curved quadrics; of cylinders and cones from so many times
+ * as large as thick on, and the most of those. */
 #define CURVED_ROOM 8.0
 #define THIN 16.0
 #define MAX_THIN_ROOM 16.0

@@ -26,7 +26,8 @@ static const char *first_number(const char *text)
     return text;
 }
 
-/* Of the first of the leaf's nodes that has a number that can be changed, else of the leaf's own. */
+/* Of the first of the leaf's nodes that has a number that can be changed, else of the leaf's own.
+ */
 static bool find_parameters(struct csg_edited *edited, struct csgcast_scene *scene,
                             size_t num_nodes)
 {

@@ -4,8 +4,8 @@
 
 /*
  * Crowds: objects of the model that are one convex, bounded, opaque solid each. However many there
- * are, each is one instance of a one-solid program (shaders/passes/single.frag.glsl), and those that cannot
- * be seen are left out by arithmetic over plain arrays (crowd/cull.h).
+ * are, each is one instance of a one-solid program (shaders/passes/single.frag.glsl), and those
+ * that cannot be seen are left out by arithmetic over plain arrays (crowd/cull.h).
  */
 
 #include <stdint.h>

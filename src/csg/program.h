@@ -16,6 +16,13 @@ struct csg_step {
     uint32_t flags; /* CSG_RECORD_... */
 };
 
+/* Of those that begin at once the one that shows has the least: solids before complements, then in
+ * the order of the file (csg_choose in shaders/csg). */
+static inline uint64_t csg_step_rank(const struct csg_step *step)
+{
+    return step->leaf + (step->flags & CSG_RECORD_NEGATED ? (uint64_t)1 << 32 : 0);
+}
+
 struct csg_program {
     struct csg_step *data;
     size_t num, capacity;

@@ -3,10 +3,10 @@
 #define CSG_GL_THREADS_H
 
 /*
- * llvmpipe's threads wake all at once, when a frame is drawn, while the thread that wakes them still
- * has a core. Where there are as many of them as cores, Linux puts two on one core then, and frames
- * of some milliseconds are over before it moves one. So each gets a core of its own. They take
- * blocks of the picture one by one: one whose core has other work to do takes fewer.
+ * llvmpipe's threads wake all at once, when a frame is drawn, while the thread that wakes them
+ * still has a core. Where there are as many of them as cores, Linux puts two on one core then, and
+ * frames of some milliseconds are over before it moves one. So each gets a core of its own. They
+ * take blocks of the picture one by one: one whose core has other work to do takes fewer.
  */
 
 #include <stddef.h>

@@ -114,8 +114,8 @@ bool csg_clip_evaluate(struct csg_walk *walk, struct csg_drawing *drawing, uint3
     return ok || csg_walk_no_memory(walk);
 }
 
-/* As OpenSCAD finds it (visit(OffsetNode) in its GeometryEvaluator.cc): to the last bit, which decides
- * whether an arc of a half of a segment more gets one. */
+/* As OpenSCAD finds it (visit(OffsetNode) in its GeometryEvaluator.cc): to the last bit, which
+ * decides whether an arc of a half of a segment more gets one. */
 static double arc_tolerance(const struct csg_offset *offset)
 {
     return fabs(offset->distance) * (1 - csg_cos_degrees(180.0 / offset->num));

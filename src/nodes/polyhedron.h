@@ -11,8 +11,8 @@
 bool csg_polyhedron_clean(struct csg_walk *walk, uint32_t node, bool reversed,
                           struct csg_mesh *mesh);
 
-/* is_hull: OpenSCAD takes the hull of the node's closed mesh for it, as it is nearly convex and meets
- * other solids. false, with a message, when memory is out. */
+/* is_hull: OpenSCAD takes the hull of the node's closed mesh for it, as it is nearly convex and
+ * meets other solids. false, with a message, when memory is out. */
 bool csg_polyhedron_find_hull(struct csg_walk *walk, uint32_t node, const struct csg_mesh *mesh,
                               bool *is_hull);
 

@@ -68,8 +68,8 @@ static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn
     return ok && (!*taken || csg_part_add(part, &shape, false));
 }
 
-/* Only dents of so many degrees may be so shallow in OpenSCAD's facets, where these are put, that it
- * takes the hull. */
+/* Only dents of so many degrees may be so shallow in OpenSCAD's facets, where these are put, that
+ * it takes the hull. */
 #define MAPPED_DEGREES 10.0
 
 /* Replaces the profile of a solid that shows as its hull by its own. false, with a message, when

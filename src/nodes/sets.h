@@ -23,7 +23,8 @@ bool csg_sets_read(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_
                    bool in_boolean, enum csg_part_wanted wanted, struct csg_sets *sets,
                    bool *is_there);
 
-/* Moves the surfaces over that nothing cuts; nothing is left of them there. false: out of memory. */
+/* Moves the surfaces over that nothing cuts; nothing is left of them there. false: out of memory.
+ */
 bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part);
 
 /* Adds the hull of points that come from sets; one without volume adds nothing. */

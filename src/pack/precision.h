@@ -4,8 +4,8 @@
 
 /*
  * Which objects float does not hold in this view, and why: what their geometry needs
- * (sharpness/sharpness.h) against what the shader's float keys resolve where they are. Those are drawn in
- * double. docs/numerics.md has the bounds.
+ * (sharpness/sharpness.h) against what the shader's float keys resolve where they are. Those are
+ * drawn in double. docs/numerics.md has the bounds.
  */
 
 #include "pack/screen.h"

@@ -22,9 +22,10 @@
 #include "carrier/carrier.h"
 #include "common/layout.glsl" /* from shaders/: what C and GLSL share */
 
-/* Drivers run programs for whole blocks of pixels, and so for those beside what is drawn: llvmpipe for 4 by
- * 4, GPUs for 2 by 2. Tables by pixel hold these as well: what is read from nowhere may send a loop
- * round and round, which llvmpipe ends for all of the block (shaders/csg/turns.glsl). */
+/* Drivers run programs for whole blocks of pixels, and so for those beside what is drawn: llvmpipe
+ * for 4 by 4, GPUs for 2 by 2. Tables by pixel hold these as well: what is read from nowhere may
+ * send a loop round and round, which llvmpipe ends for all of the block (shaders/csg/turns.glsl).
+ */
 #define CSG_PIXEL_BLOCK 4
 
 struct csg_screen {

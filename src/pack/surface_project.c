@@ -21,7 +21,8 @@
 #define MIN_POINTS 10000
 
 /* Where a surface has fewer pixels in the picture for each of its triangles, or less than this
- * share of its rectangle is there, it is projected from the top of the hierarchy down (measured). */
+ * share of its rectangle is there, it is projected from the top of the hierarchy down (measured).
+ */
 #define FEW_PIXELS 0.03
 #define SMALL_SHARE 0.5
 

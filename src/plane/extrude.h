@@ -15,8 +15,8 @@
 #define CSG_EXTRUDE_ALONE_PIECES 20
 #define CSG_EXTRUDE_BLENDED_PIECES 3
 
-/* Of so many extrusions each is small on the screen: what they are cut from, or cut, is a surface as
- * soon as what stands by itself. */
+/* Of so many extrusions each is small on the screen: what they are cut from, or cut, is a surface
+ * as soon as what stands by itself. */
 #define CSG_EXTRUDE_CROWD 32
 
 /* So are the polygons of one drawing, as a page of text, that are more pieces than this together,

@@ -18,8 +18,8 @@ enum csg_sweep_result csg_profile_init(struct csg_profile *profile,
                                        const struct csg_drawing *drawing);
 void csg_profile_finish(struct csg_profile *profile);
 
-/* How deep the dents of a profile are that reaches out from the axis: the most degrees that a corner
- * bends inwards. INFINITY where it does not reach to the axis at some height. */
+/* How deep the dents of a profile are that reaches out from the axis: the most degrees that a
+ * corner bends inwards. INFINITY where it does not reach to the axis at some height. */
 double csg_profile_dents(const struct csg_profile *profile);
 
 #endif

@@ -4,8 +4,9 @@
 
 /*
  * Triangles of a figure whose contours do not cross and have the inside to their left, by cutting
- * off ears (Meisters 1975) after each hole was joined to what is around it. The triangles have the figure's corners and no others and meet edge to
- * edge, so the figure can be the cap of a closed mesh.
+ * off ears (Meisters 1975) after each hole was joined to what is around it. The triangles have the
+ * figure's corners and no others and meet edge to edge, so the figure can be the cap of a closed
+ * mesh.
  */
 
 #include "plane/drawing.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How far a closed mesh is from being convex: by the angles at its edges, as OpenSCAD 2021.01 judges
- * it (is_approximately_convex in its cgalutils.cc). Which side of the faces is outside need not be
- * known: seen from the wrong side the sharp edges are the dents.
+ * How far a closed mesh is from being convex: by the angles at its edges, as OpenSCAD 2021.01
+ * judges it (is_approximately_convex in its cgalutils.cc). Which side of the faces is outside need
+ * not be known: seen from the wrong side the sharp edges are the dents.
  */
 #include <stdlib.h>
 

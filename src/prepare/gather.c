@@ -40,8 +40,8 @@ static bool is_of_node(const struct gatherer *gatherer, const struct csg_tree *t
     return true;
 }
 
-/* Whether float would not hold many of the operands [begin, end), rings of a turned profile, each by
- * itself: in double it costs as much as many of the bands that all of them are together. */
+/* Whether float would not hold many of the operands [begin, end), rings of a turned profile, each
+ * by itself: in double it costs as much as many of the bands that all of them are together. */
 static bool are_fine_rings(const struct gatherer *gatherer, const struct csg_tree *tree,
                            uint32_t begin, uint32_t end)
 {

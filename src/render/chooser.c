@@ -252,8 +252,8 @@ static int max_point(struct csg_gl *gl)
 }
 
 /* After an edit, and in a picture alone, a program that can do more may take the place of the one
- * that is asked for. Scenes that may be edited have the same answer in all frames, as instances that
- * are the same are not handed over again. */
+ * that is asked for. Scenes that may be edited have the same answer in all frames, as instances
+ * that are the same are not handed over again. */
 static int possible_features(const struct csg_chooser *chooser, const struct csg_draw *draw)
 {
     const struct csgcast_scene *scene = chooser->request->scene;

@@ -14,8 +14,8 @@ struct csg_picture {
     int first_row, num_rows; /* of the strip, counted from the bottom */
     bool want_geometry, want_leaf;
     bool bytes; /* colours go to the caller as they are drawn, and nothing else */
-    /* Of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture. Where these are drawn
-     * directly it is not set. */
+    /* Of all draws: lo x, lo y, hi x, hi y in clip space of the whole picture. Where these are
+     * drawn directly it is not set. */
     float rect[4];
     uint32_t *visible; /* the strip's geometry buffer; NULL where no program can give up */
 };

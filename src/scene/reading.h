@@ -23,8 +23,8 @@ bool csg_reading_init(struct csg_reading *reading, const struct csgcast_scene *s
                       const struct csg_patch *patch);
 void csg_reading_finish(struct csg_reading *reading);
 
-/* Node i of the part for a tree where that stands at place and its first leaf is number first. It is
- * the same set wherever it stands; there it may be complemented. */
+/* Node i of the part for a tree where that stands at place and its first leaf is number first. It
+ * is the same set wherever it stands; there it may be complemented. */
 struct csg_node csg_reading_node(const struct csg_reading *reading, uint32_t i,
                                  const struct csg_part_place *place, uint32_t first);
 

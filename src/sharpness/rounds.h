@@ -24,7 +24,8 @@ struct csg_rounds {
 bool csg_rounds_sort(struct csg_rounds *rounds);
 
 /* Notes gaps between those from begin to end of the order, in an object of that radius, and others
- * behind them that nearly coincide, with solids on different sides. marks: by leaf, sharpness/wall.h. */
+ * behind them that nearly coincide, with solids on different sides. marks: by leaf,
+ * sharpness/wall.h. */
 void csg_rounds_note(const struct csg_rounds *rounds, const struct csgcast_scene *scene,
                      size_t begin, size_t end, const uint8_t *marks, double radius,
                      struct csg_sharpness *sharp);

@@ -11,12 +11,6 @@
 /* What follows one another without clauses, but for the complement that does not come first. */
 #define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH)
 
-/* csg_choose's order: solids before complements, then the order of the file. */
-static uint64_t rank_of(const struct csg_step *step)
-{
-    return step->leaf + (step->flags & CSG_RECORD_NEGATED ? (uint64_t)1 << 32 : 0);
-}
-
 /* Whether a slot with so many planes of either sense has room for the record. */
 static bool fits_slot(const float *head, int planes)
 {
@@ -33,7 +27,7 @@ static bool fits_slot(const float *head, int planes)
 static bool is_link(const struct csg_chain_finder *finder, const struct csg_step *step)
 {
     return !(step->flags & NOT_IN_ROWS) && step->flags & (CSG_RECORD_START | CSG_RECORD_AND) &&
-           rank_of(step) >= finder->rank &&
+           csg_step_rank(step) >= finder->rank &&
            (finder->need.slots > 0 || !(step->flags & CSG_RECORD_NEGATED));
 }
 
@@ -50,7 +44,7 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
     const int planes = finder->faceted ? CSG_CHAIN_FACETED_PLANES : CSG_CHAIN_PLANES;
     finder->broken = need->slots == CSG_CHAIN_LITERALS || !fits_slot(head, planes) ||
                      (!need->clauses && !is_link(finder, step));
-    finder->rank = rank_of(step);
+    finder->rank = csg_step_rank(step);
     need->flat |= need->slots == 0 && !(flags & CSG_RECORD_QUADRIC);
     need->quadrics |= (flags & CSG_RECORD_QUADRIC) != 0;
     need->slots++;

@@ -63,17 +63,11 @@ static bool find_clauses(struct literals *literals, const struct csg_tree *tree)
     return true;
 }
 
-/* csg_choose's order: solids before complements, then the order of the file. */
-static uint64_t rank_of(const struct csg_step *step)
-{
-    return step->leaf + ((uint64_t)(step->flags & CSG_RECORD_NEGATED) << 32);
-}
-
 static uint32_t order_of(const struct literals *literals, size_t i)
 {
     uint32_t order = 0;
     for (size_t j = 0; j < literals->num; j++)
-        order += rank_of(literals->data[j].step) < rank_of(literals->data[i].step);
+        order += csg_step_rank(literals->data[j].step) < csg_step_rank(literals->data[i].step);
     return order;
 }
 

@@ -95,8 +95,8 @@ int csg_task_cut(const struct csg_tiler *tiler, const struct csg_tile_task *task
     return num;
 }
 
-/* The object's own part of the layer's tree, counted from 0. Tiles leave spare leaves out, which are
- * nowhere: a record would keep none of their planes, and one without planes is everywhere. */
+/* The object's own part of the layer's tree, counted from 0. Tiles leave spare leaves out, which
+ * are nowhere: a record would keep none of their planes, and one without planes is everywhere. */
 static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object,
                         struct csg_tree *tree)
 {

@@ -31,8 +31,8 @@
 #define SMALL_BANDS 4
 
 /* A larger area with more nodes, all of its leaves under one intersection, is first cut by the
- * leaves' rectangles on the screen: ranges tell little of so large a tile. In pixels. That ends where
- * a quarter of the area keeps more than this share of the leaves. */
+ * leaves' rectangles on the screen: ranges tell little of so large a tile. In pixels. That ends
+ * where a quarter of the area keeps more than this share of the leaves. */
 #define COARSE_SIZE 32
 #define COARSE_NODES 12
 #define COARSE_SHARE 0.65
@@ -42,8 +42,8 @@
 #define CROWDED_LEAVES 16
 
 /* Tiles of half the smallest size that have too many planes for a chain, as corners of solids have,
- * are cut to the pixel where programs are to be few, so many times in an area: if all the others are
- * chains, the picture needs one program, and a second takes longer to load than these tiles. */
+ * are cut to the pixel where programs are to be few, so many times in an area: if all the others
+ * are chains, the picture needs one program, and a second takes longer to load than these tiles. */
 #define MAX_CORNER_CUTS 64
 
 /* Where so many leaves are left and a quarter of the area spares less than this share of them, the

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
-/* Pictures of bytes alone have no shading pass where few solids hide others. That is asked of views;
- * frames after an edit keep to it, as they compile nothing. */
+/* Pictures of bytes alone have no shading pass where few solids hide others. That is asked of
+ * views; frames after an edit keep to it, as they compile nothing. */
 
 #include <stdint.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
 /*
  * Carriers after edits are those of a scene that is loaded so: solids on a grid, of sizes that are
  * equal or nearly so, with the rounding of six digits and gaps about the tolerance, many of them
- * turned by angles that nearly agree, change one after the other. In half of the scenes some of them
- * are surfaces of triangles.
+ * turned by angles that nearly agree, change one after the other. In half of the scenes some of
+ * them are surfaces of triangles.
  */
 #include <math.h>
 #include <stdlib.h>

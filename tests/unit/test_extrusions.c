@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What extruded polygons that something is cut from become: a few are convex pieces, each of a crowd
- * is one surface. */
+/* What extruded polygons that something is cut from become: a few are convex pieces, each of a
+ * crowd is one surface. */
 #include "plane/extrude.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * An eye within a turned profile, or a surface of triangles, on its flat end or hardly below or above:
- * rays that go up leave it right there, those that go down on the other side.
+ * An eye within a turned profile, or a surface of triangles, on its flat end or hardly below or
+ * above: rays that go up leave it right there, those that go down on the other side.
  */
 #include <math.h>
 #include <stdio.h>
@@ -14,7 +14,8 @@ enum { SIZE = 32 };
 
 #define MAX_DEPTH_ERROR 1e-5 /* relative */
 
-/* Heights about which rounding decides, ray by ray, whether an end is the eye's own (csg_eye_near). */
+/* Heights about which rounding decides, ray by ray, whether an end is the eye's own (csg_eye_near).
+ */
 #define OWN_FROM 1e-12
 #define OWN_TO 1e-9
 

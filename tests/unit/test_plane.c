@@ -252,8 +252,8 @@ static void add_winding(struct csg_drawing *drawing, int num, int i, double inwa
         abort();
 }
 
-/* Processor time. No triangle looks down, and together they are as large as the figure, which has so
- * many holes. */
+/* Processor time. No triangle looks down, and together they are as large as the figure, which has
+ * so many holes. */
 static double seconds_of_triangles(const struct csg_drawing *drawing, size_t num_holes, double area)
 {
     struct csg_triangles triangles = {0};

@@ -2,7 +2,8 @@
 /*
  * How boxes lie to leaves: where the answer is not "varies", all points of the box must agree with
  * it, for every kind of solid; and boxes small against the solid must get an answer now and then.
- * What cells keep of leaves must answer as the leaves do, and of balls also where these do not know.
+ * What cells keep of leaves must answer as the leaves do, and of balls also where these do not
+ * know.
  */
 #define DICE_SEED 11
 

@@ -243,8 +243,8 @@ struct csgcast_leaf {
      * it, the outermost one on the left. By rows, as in multmatrix; the last row is 0 0 0 1. */
     double matrix[16];
     float color[4]; /* r g b a as the outermost color() says; below 0: the scheme's */
-    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Lives until the scene is
-     * edited or destroyed. */
+    /* What stands between the node's parentheses, "h = 10, r1 = 2, r2 = 2". Lives until the scene
+     * is edited or destroyed. */
     const char *parameters;
 };
 
@@ -282,7 +282,8 @@ struct csgcast_edit {
     const char *parameters;
     /* r g b a, finite. A component below 0 is the scheme's; all below 0: as without color(). */
     const float *color;
-    /* Whose arguments parameters are: 0 the leaf's node, else one in it (csgcast_scene_get_node). */
+    /* Whose arguments parameters are: 0 the leaf's node, else one in it (csgcast_scene_get_node).
+     */
     size_t node;
 };
 
@@ -405,8 +406,8 @@ struct csgcast_renderer_params {
     bool background;
     /* Threads that prepare a picture, or cast it where OpenGL does not, csgcast_render's caller one
      * of them, 1 to 64. 0 and anything else: as many as there are cores. Pictures do not depend on
-     * it. The driver has threads of its own: llvmpipe's number is set by LP_NUM_THREADS; where there
-     * are as many as cores, those that a renderer starts are bound to one each. */
+     * it. The driver has threads of its own: llvmpipe's number is set by LP_NUM_THREADS; where
+     * there are as many as cores, those that a renderer starts are bound to one each. */
     int num_threads;
 };
 
