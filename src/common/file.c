@@ -30,7 +30,8 @@ bool csg_bytes_append_text(struct csg_bytes *bytes, const char *text)
     return csg_bytes_append(bytes, text, strlen(text));
 }
 
-bool csg_file_read_all(int fd, struct csg_bytes *bytes)
+/* To its end. false, with errno set, on failure. */
+static bool read_all(int fd, struct csg_bytes *bytes)
 {
     for (;;) {
         if (!csg_array_reserve(bytes, chunk_size)) {
@@ -58,7 +59,7 @@ static bool read_sized(int fd, struct csg_bytes *bytes)
         errno = ENOMEM;
         return false;
     }
-    return csg_file_read_all(fd, bytes);
+    return read_all(fd, bytes);
 }
 
 static char *current_folder(void)
@@ -122,7 +123,7 @@ bool csg_file_read_regular(const char *path, struct csg_bytes *bytes)
         errno = EINVAL;
         ok = false;
     }
-    ok = ok && csg_file_read_all(fd, bytes);
+    ok = ok && read_all(fd, bytes);
     const int reason = errno;
     if (fd >= 0)
         close(fd);

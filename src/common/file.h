@@ -23,9 +23,6 @@ bool csg_file_read(const char *path, struct csg_bytes *bytes, const struct csg_l
  * errno set. */
 bool csg_file_read_regular(const char *path, struct csg_bytes *bytes);
 
-/* Reads an open file to its end. false, with errno set, on failure. */
-bool csg_file_read_all(int fd, struct csg_bytes *bytes);
-
 /* The path from the root on, for the caller to free. NULL: out of memory. */
 char *csg_path_absolute(const char *path);
 

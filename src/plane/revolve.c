@@ -137,25 +137,25 @@ static bool add_wedge(struct csg_shape *shape, const struct sector *sector)
             csg_shape_add_plane(shape, csg_vec3(-to.y, to.x, 0), 0));
 }
 
-/* The box of a disc's sector: its ends, its centre and where it crosses the axes. */
-static struct csg_box sector_box(const struct sector *sector, double r)
+/* The box of a unit disc's sector: its ends, its centre and where it crosses the axes. */
+static struct csg_box sector_box(const struct sector *sector)
 {
     struct csg_box box = csg_box_empty;
     const struct csg_vec2 from = direction(sector->from), to = direction(sector->to);
-    csg_box_extend(&box, csg_vec3(r * from.x, r * from.y, 0));
-    csg_box_extend(&box, csg_vec3(r * to.x, r * to.y, 0));
+    csg_box_extend(&box, csg_vec3(from.x, from.y, 0));
+    csg_box_extend(&box, csg_vec3(to.x, to.y, 0));
     csg_box_extend(&box, csg_vec3(0, 0, 0));
     for (double at = 90 * ceil(sector->from / 90); at < sector->to; at += 90)
-        csg_box_extend(&box, csg_vec3(r * direction(at).x, r * direction(at).y, 0));
+        csg_box_extend(&box, csg_vec3(direction(at).x, direction(at).y, 0));
     return box;
 }
 
-static struct csg_box written_box(const struct sector *sector, double r)
+static struct csg_box written_box(const struct sector *sector)
 {
     struct csg_box box = csg_box_empty;
     for (int i = 0; i <= sector->num; i++) {
         const struct csg_vec2 d = sector_direction(sector, i);
-        csg_box_extend(&box, csg_vec3(r * d.x, r * d.y, 0));
+        csg_box_extend(&box, csg_vec3(d.x, d.y, 0));
     }
     return box;
 }
@@ -193,7 +193,7 @@ static bool add_frustum(struct lathe *lathe, const struct sector *sector,
     const struct csg_lift lift = {radius->z0, radius->s0 / largest, radius->z1,
                                   radius->s1 / largest};
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
-    const struct csg_box section = sector_box(sector, 1);
+    const struct csg_box section = sector_box(sector);
     bool ok;
     if (lathe->turn->facetted) {
         shape.convex = shape.facetted = true;
@@ -264,7 +264,7 @@ static bool add_sectors(struct lathe *lathe)
 {
     bool ok = csg_part_open(lathe->part, false);
     for (size_t i = 0; i < lathe->sectors.num && ok; i++) {
-        lathe->written = written_box(&lathe->sectors.data[i], 1);
+        lathe->written = written_box(&lathe->sectors.data[i]);
         ok = add_sector(lathe, &lathe->sectors.data[i]);
     }
     if (ok)
@@ -301,7 +301,7 @@ static bool add_convex(struct lathe *lathe, const struct sector *sector)
     struct csg_lift all = {levels[lathe->trapezoids.data[0].begin], 0,
                            levels[lathe->trapezoids.data[num - 1].end], 0};
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
-    const struct csg_box section = sector_box(sector, 1);
+    const struct csg_box section = sector_box(sector);
     bool ok = csg_part_open(lathe->part, false) && csg_lift_add_caps(&all, &shape);
     shape.convex = shape.facetted = true;
     for (size_t i = 0; i < num && ok; i++) {
@@ -309,7 +309,7 @@ static bool add_convex(struct lathe *lathe, const struct sector *sector)
         all.s0 = all.s1 = fmax(all.s0, fmax(out.s0, out.s1));
         ok = add_facets(&shape, sector, &out);
     }
-    lathe->written = written_box(sector, 1);
+    lathe->written = written_box(sector);
     shape.bounds = csg_lift_box(&all, &section);
     shape.written = csg_lift_box(&all, &lathe->written);
     if (!ok)
@@ -331,7 +331,7 @@ static bool add_sector_planes(struct lathe *lathe, const struct sector *sector, 
     const struct csg_sweep *sweep = &profile->sweep;
     const struct csg_lift all = {sweep->levels.data[0], radius,
                                  sweep->levels.data[sweep->levels.num - 1], radius};
-    const struct csg_box section = sector_box(sector, 1);
+    const struct csg_box section = sector_box(sector);
     struct csg_shape shape = {.frame = csg_map_identity, .rounding = lathe->rounding};
     shape.convex = true;
     shape.bounds = csg_lift_box(&all, &section);
@@ -352,7 +352,7 @@ static bool add_cut_turn(struct lathe *lathe)
     const bool is_large = lathe->sectors.num > 1;
     lathe->written = csg_box_empty;
     for (size_t i = 0; i < lathe->sectors.num; i++) {
-        const struct csg_box box = written_box(&lathe->sectors.data[i], 1);
+        const struct csg_box box = written_box(&lathe->sectors.data[i]);
         lathe->written = csg_box_union(&lathe->written, &box);
     }
     if (!csg_part_open(lathe->part, true) || !csg_part_open(lathe->part, false) ||
