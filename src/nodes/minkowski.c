@@ -2,8 +2,7 @@
 /*
  * minkowski() of solids: of the corners that OpenSCAD's facets have, but for sums with a sphere. It
  * distributes over unions, so operands are taken as unions of convex sets and of surfaces of
- * triangles. With a surface goes S + C = (S + c) u (dS + C), c a point of the convex set C: a point
- * of S + C that is not in S + c is reached from c on a way within C, on which it leaves S.
+ * triangles.
  */
 #include <stdlib.h>
 
@@ -16,16 +15,6 @@
 enum { max_sums = 4000000 };
 
 /* ---- convex sets -------------------------------------------------------------------------- */
-
-static bool add_sum(const struct csg_vec3 *a, size_t num_a, const struct csg_vec3 *b, size_t num_b,
-                    struct csg_clusters *sums)
-{
-    for (size_t i = 0; i < num_a; i++)
-        for (size_t j = 0; j < num_b; j++)
-            if (!csg_array_push(&sums->corners.points, csg_add(a[i], b[j])))
-                return false;
-    return csg_array_push(&sums->ends, sums->corners.points.num);
-}
 
 /* The corners of the i-th set. */
 static const struct csg_vec3 *corners_of(const struct csg_clusters *clusters, size_t i, size_t *num)
@@ -44,54 +33,23 @@ static bool add_convex(const struct csg_clusters *a, const struct csg_clusters *
             size_t num_a, num_b;
             const struct csg_vec3 *corners_a = corners_of(a, i, &num_a);
             const struct csg_vec3 *corners_b = corners_of(b, j, &num_b);
-            ok = add_sum(corners_a, num_a, corners_b, num_b, sums);
+            ok = csg_clusters_add_sum(sums, corners_a, num_a, corners_b, num_b);
         }
     return ok;
 }
 
 /* ---- surfaces ----------------------------------------------------------------------------- */
 
-static bool add_moved(const struct csg_shape *shape, struct csg_vec3 by, struct csg_sets *sum)
-{
-    struct csg_map map = csg_map_identity;
-    struct csg_shape moved;
-    map.m[0][3] = by.x;
-    map.m[1][3] = by.y;
-    map.m[2][3] = by.z;
-    if (!csg_shape_copy(&moved, shape))
-        return false;
-    if (csg_shape_map(&moved, &map) && csg_array_push(&sum->surfaces, moved))
-        return true;
-    csg_shape_finish(&moved);
-    return false;
-}
-
-static bool add_triangles(const struct csg_surface *surface, const struct csg_vec3 *corners,
-                          size_t num, struct csg_clusters *sums)
-{
-    bool ok = true;
-    for (size_t i = 0; i < surface->triangles.num && ok; i++) {
-        struct csg_vec3 triangle[3];
-        for (int j = 0; j < 3; j++)
-            triangle[j] = surface->points.data[surface->triangles.data[i].points[j]];
-        ok = add_sum(triangle, 3, corners, num, sums);
-    }
-    return ok;
-}
-
 /* The sums of a surface and b's convex sets. */
 static bool add_surface(const struct csg_shape *shape, const struct csg_sets *b,
                         struct csg_sets *sum)
 {
-    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
-    bool ok = surface != NULL;
+    bool ok = true;
     for (size_t i = 0; i < b->convex.ends.num && ok; i++) {
         size_t num;
         const struct csg_vec3 *corners = corners_of(&b->convex, i, &num);
-        ok =
-            add_moved(shape, corners[0], sum) && add_triangles(surface, corners, num, &sum->convex);
+        ok = csg_sets_add_sum(sum, shape, corners, num);
     }
-    csg_surface_destroy(surface);
     return ok;
 }
 

@@ -209,7 +209,7 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
     struct csg_map inverse;
     bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
     if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
-        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_FACETS, &part) &&
+        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_PIECES, &part) &&
              project(&projection, node, &part);
     csg_drawing_close(drawing, draw);
     csg_part_finish(&part);

@@ -3,9 +3,8 @@
 
 #include <stdlib.h>
 
-#include "nodes/parts.h"
+#include "nodes/sets.h"
 #include "plane/balls.h"
-#include "polyhedra/evaluate.h"
 
 /* Of a convex set, each perhaps several times. */
 enum { max_corners = 4 * CSG_BALLS_MAX };
@@ -23,11 +22,11 @@ static bool is_kind(const struct csg_walk *walk, uint32_t node, enum csg_kind ki
 }
 
 static bool add_corners(struct balls *balls, const struct csg_vec3 *corners, size_t num,
-                        struct csg_vec3 offset, double radius)
+                        double radius)
 {
     bool ok = true;
     for (size_t i = 0; i < num && ok; i++)
-        ok = csg_array_push(&balls->list, ((struct csg_ball){csg_add(corners[i], offset), radius}));
+        ok = csg_array_push(&balls->list, ((struct csg_ball){corners[i], radius}));
     return ok;
 }
 
@@ -93,7 +92,7 @@ static enum csg_hull_result collect(const struct csg_part *part, struct balls *b
             *taken = false;
         } else {
             result = csg_shape_corners(shape, &corners);
-            ok = add_corners(balls, corners.points.data, corners.points.num, csg_vec3(0, 0, 0), 0);
+            ok = add_corners(balls, corners.points.data, corners.points.num, 0);
         }
         free(corners.points.data);
         if (!ok)
@@ -181,40 +180,86 @@ static bool has_quadrics(const struct csg_part *part)
     return part->shapes.num == 0;
 }
 
-/* The union of the sums of the convex sets and the ball. */
-static enum csg_hull_result add_sums(const struct csg_clusters *clusters,
-                                     const struct csg_ball *ball, double rounding,
-                                     struct csg_part *part, bool *taken)
+static bool move_sets(const struct csg_sets *sets, struct csg_vec3 by, struct csg_sets *moved)
 {
-    enum csg_hull_result result = CSG_HULL_DONE;
+    const struct csg_clusters *convex = &sets->convex;
     size_t begin = 0;
-    *taken = clusters->ends.num > 0;
-    for (size_t i = 0; i < clusters->ends.num && *taken; i++) {
-        *taken = clusters->ends.data[i] - begin <= max_corners;
+    bool ok = true;
+    for (size_t i = 0; i < convex->ends.num && ok; i++) {
+        ok = csg_clusters_add_sum(&moved->convex, &convex->corners.points.data[begin],
+                                  convex->ends.data[i] - begin, &by, 1);
+        begin = convex->ends.data[i];
+    }
+    for (size_t i = 0; i < sets->surfaces.num && ok; i++)
+        ok = csg_sets_add_sum(moved, &sets->surfaces.data[i], &by, 1);
+    return ok;
+}
+
+static bool has_small_sets(const struct csg_clusters *clusters)
+{
+    size_t begin = 0;
+    for (size_t i = 0; i < clusters->ends.num; i++) {
+        if (clusters->ends.data[i] - begin > max_corners)
+            return false;
         begin = clusters->ends.data[i];
     }
-    begin = 0;
+    return clusters->ends.num > 0;
+}
+
+static bool add_surfaces(struct csg_sets *sets, struct csg_part *part)
+{
+    bool ok = true;
+    while (sets->surfaces.num > 0 && ok)
+        ok = csg_part_add(part, &sets->surfaces.data[--sets->surfaces.num], false);
+    return ok;
+}
+
+/* The union of the surfaces and of the sums of the convex sets and a ball about the origin. */
+static enum csg_hull_result add_sums(struct csg_sets *sets, double radius, double rounding,
+                                     struct csg_part *part, bool *taken)
+{
+    const struct csg_clusters *convex = &sets->convex;
+    enum csg_hull_result result = CSG_HULL_DONE;
+    size_t begin = 0;
+    *taken = has_small_sets(convex);
     if (!*taken)
         return result;
-    if (!csg_part_open(part, false))
+    if (!csg_part_open(part, false) || !add_surfaces(sets, part))
         return CSG_HULL_NO_MEMORY;
-    for (size_t i = 0; i < clusters->ends.num && *taken && result == CSG_HULL_DONE; i++) {
+    for (size_t i = 0; i < convex->ends.num && *taken && result == CSG_HULL_DONE; i++) {
         struct balls balls = {0};
-        result = add_corners(&balls, &clusters->corners.points.data[begin],
-                             clusters->ends.data[i] - begin, ball->center, ball->radius)
+        result = add_corners(&balls, &convex->corners.points.data[begin],
+                             convex->ends.data[i] - begin, radius)
                      ? add_hull(&balls, rounding, part, taken)
                      : CSG_HULL_NO_MEMORY;
-        begin = clusters->ends.data[i];
+        begin = convex->ends.data[i];
         free(balls.list.data);
     }
     csg_part_close(part);
     return result;
 }
 
-static enum csg_hull_result add_sum(const struct csg_part *sphere, const struct csg_part *other,
+/* other is used up. */
+static enum csg_hull_result add_sets(const struct csg_ball *ball, struct csg_part *other,
+                                     double rounding, struct csg_part *part, bool *taken)
+{
+    struct csg_sets sets = {0}, moved = {0};
+    enum csg_hull_result result = CSG_HULL_NO_MEMORY;
+    if (csg_sets_take_surfaces(&sets, other))
+        result = csg_part_evaluate(other, false, &sets.convex);
+    if (result == CSG_HULL_DONE)
+        result = move_sets(&sets, ball->center, &moved)
+                     ? add_sums(&moved, ball->radius, rounding, part, taken)
+                     : CSG_HULL_NO_MEMORY;
+    csg_sets_finish(&sets);
+    csg_sets_finish(&moved);
+    return result;
+}
+
+static enum csg_hull_result add_sum(const struct csg_part *sphere, struct csg_part *other,
                                     struct csg_part *part, bool *taken)
 {
-    struct csg_clusters clusters = {0};
+    const double rounding = rounding_of(sphere) + rounding_of(other);
     struct csg_ball ball, second;
     *taken = false;
     if (sphere->shapes.num != 1 || !csg_shape_is_ball(&sphere->shapes.data[0], &ball))
@@ -223,16 +268,13 @@ static enum csg_hull_result add_sum(const struct csg_part *sphere, const struct 
         *taken = true;
         ball.center = csg_add(ball.center, second.center);
         ball.radius += second.radius;
-        return csg_ball_hull(part, &ball, 1, rounding_of(sphere) + rounding_of(other));
+        return csg_ball_hull(part, &ball, 1, rounding);
     }
     if (has_quadrics(other) || other->is_too_large)
         return CSG_HULL_DONE;
     const size_t first = part->shapes.num;
-    enum csg_hull_result result = csg_part_evaluate(other, false, &clusters);
-    if (result == CSG_HULL_DONE)
-        result = add_sums(&clusters, &ball, rounding_of(sphere) + rounding_of(other), part, taken);
+    const enum csg_hull_result result = add_sets(&ball, other, rounding, part, taken);
     set_sagitta(part, first, sphere);
-    csg_clusters_finish(&clusters);
     return result;
 }
 

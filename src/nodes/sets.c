@@ -56,6 +56,44 @@ bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part)
     return ok;
 }
 
+static bool add_moved(struct csg_sets *sets, const struct csg_shape *surface, struct csg_vec3 by)
+{
+    struct csg_map map = csg_map_identity;
+    struct csg_shape moved;
+    map.m[0][3] = by.x;
+    map.m[1][3] = by.y;
+    map.m[2][3] = by.z;
+    if (!csg_shape_copy(&moved, surface))
+        return false;
+    if (csg_shape_map(&moved, &map) && csg_array_push(&sets->surfaces, moved))
+        return true;
+    csg_shape_finish(&moved);
+    return false;
+}
+
+static bool add_triangles(struct csg_sets *sets, const struct csg_surface *surface,
+                          const struct csg_vec3 *corners, size_t num)
+{
+    bool ok = true;
+    for (size_t i = 0; i < surface->triangles.num && ok; i++) {
+        struct csg_vec3 triangle[3];
+        for (int j = 0; j < 3; j++)
+            triangle[j] = surface->points.data[surface->triangles.data[i].points[j]];
+        ok = csg_clusters_add_sum(&sets->convex, triangle, 3, corners, num);
+    }
+    return ok;
+}
+
+bool csg_sets_add_sum(struct csg_sets *sets, const struct csg_shape *surface,
+                      const struct csg_vec3 *corners, size_t num)
+{
+    struct csg_surface *placed = csg_surface_placed(surface->surface, &surface->frame);
+    const bool ok =
+        placed && add_moved(sets, surface, corners[0]) && add_triangles(sets, placed, corners, num);
+    csg_surface_destroy(placed);
+    return ok;
+}
+
 static enum csg_hull_result evaluate(struct csg_sets *sets, struct csg_part *part,
                                      enum csg_part_wanted wanted)
 {

@@ -27,6 +27,12 @@ bool csg_sets_read(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_
  */
 bool csg_sets_take_surfaces(struct csg_sets *sets, struct csg_part *part);
 
+/* Adds the sum S + C of a surface and of a convex set by its corners: (S + c) u (dS + C), c one of
+ * them. A point of S + C that is not in S + c is reached from c on a way within C, on which it
+ * leaves S. false: out of memory. */
+bool csg_sets_add_sum(struct csg_sets *sets, const struct csg_shape *surface,
+                      const struct csg_vec3 *corners, size_t num);
+
 /* Adds the hull of points that come from sets; one without volume adds nothing. */
 bool csg_sets_add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets *sets,
                        const struct csg_points *points, struct csg_part *part);

@@ -65,6 +65,16 @@ bool csg_clusters_add_cell(struct csg_clusters *clusters, const struct csg_cell 
     return ok && csg_array_push(&clusters->ends, clusters->corners.points.num);
 }
 
+bool csg_clusters_add_sum(struct csg_clusters *clusters, const struct csg_vec3 *a, size_t num_a,
+                          const struct csg_vec3 *b, size_t num_b)
+{
+    for (size_t i = 0; i < num_a; i++)
+        for (size_t j = 0; j < num_b; j++)
+            if (!csg_array_push(&clusters->corners.points, csg_add(a[i], b[j])))
+                return false;
+    return csg_array_push(&clusters->ends, clusters->corners.points.num);
+}
+
 bool csg_clusters_append(struct csg_clusters *clusters, const struct csg_clusters *other)
 {
     const size_t begin = clusters->corners.points.num;

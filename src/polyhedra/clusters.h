@@ -19,6 +19,11 @@ void csg_clusters_finish(struct csg_clusters *clusters);
  * near coincides. false: out of memory. */
 bool csg_clusters_add_cell(struct csg_clusters *clusters, const struct csg_cell *cell, double near);
 
+/* Adds the sum of two sets, each given by some of its points, the corners among them. false: out of
+ * memory. */
+bool csg_clusters_add_sum(struct csg_clusters *clusters, const struct csg_vec3 *a, size_t num_a,
+                          const struct csg_vec3 *b, size_t num_b);
+
 /* Adds the sets of another list. false: out of memory. */
 bool csg_clusters_append(struct csg_clusters *clusters, const struct csg_clusters *other);
 
