@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "mesh/surface.h"
+#include "polyhedra/mesh.h"
 
 void csg_sets_finish(struct csg_sets *sets)
 {
@@ -120,12 +121,30 @@ bool csg_sets_read(struct csg_walk *walk, uint32_t node, uint32_t begin, uint32_
     return ok;
 }
 
+/* Where only the points of a hull matter they are those that it was made of: the corners of a thin
+ * one follow from its planes badly. */
+static bool take_points(const struct csg_points *points, struct csg_shape *shape)
+{
+    struct csg_mesh mesh = {.rounding = shape->rounding};
+    bool ok = true;
+    for (size_t i = 0; i < points->points.num && ok; i++)
+        ok = csg_mesh_add_point(&mesh, points->points.data[i]) &&
+             csg_array_push(&mesh.corners, (uint32_t)i);
+    csg_shape_finish(shape);
+    *shape = (struct csg_shape){.frame = csg_map_identity};
+    ok = ok && csg_mesh_to_points(&mesh, shape);
+    csg_mesh_finish(&mesh);
+    return ok;
+}
+
 bool csg_sets_add_hull(struct csg_walk *walk, uint32_t node, const struct csg_sets *sets,
                        const struct csg_points *points, struct csg_part *part)
 {
     struct csg_shape shape = {.frame = csg_map_identity};
-    const enum csg_hull_result result = csg_hull_fill(&shape, points);
+    enum csg_hull_result result = csg_hull_fill(&shape, points);
     shape.rounding = sets->rounding;
+    if (result == CSG_HULL_DONE && walk->points_only && !take_points(points, &shape))
+        result = CSG_HULL_NO_MEMORY;
     shape.facetted = sets->facetted;
     if (result == CSG_HULL_DONE)
         return csg_part_add(part, &shape, false) || csg_walk_no_memory(walk);

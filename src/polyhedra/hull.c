@@ -118,15 +118,20 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
 /* ---- corners ------------------------------------------------------------------------------ */
 
 struct dual {
-    struct csg_vec3 center;
-    struct csg_points *corners; /* of the shape, */
-    struct csg_points *faces;   /* or of each of its planes */
+    struct csg_vec3 center, scale; /* lengths along each axis are in units of these */
+    struct csg_points *corners;    /* of the shape, */
+    struct csg_points *faces;      /* or of each of its planes */
 };
+
+static struct csg_vec3 scaled(const struct dual *dual, struct csg_vec3 v)
+{
+    return csg_vec3(dual->scale.x * v.x, dual->scale.y * v.y, dual->scale.z * v.z);
+}
 
 /* A facet n.q = -offset of the dual points is the corner center - n / offset. */
 static struct csg_vec3 corner_of(const struct dual *dual, const facetT *facet)
 {
-    return csg_sub(dual->center, csg_scale(1 / facet->offset, normal_of(facet)));
+    return csg_sub(dual->center, scaled(dual, csg_scale(1 / facet->offset, normal_of(facet))));
 }
 
 static bool add_corner(void *user, qhT *qh, const facetT *facet)
@@ -150,20 +155,29 @@ static bool add_to_faces(void *user, qhT *qh, const facetT *facet)
     return true;
 }
 
+static double positive(double x)
+{
+    return x > 0 ? x : 1;
+}
+
 /* Planes n.x = d, seen from a point inside, are dual to the points n / d, and their hull's facets
- * to the corners. */
+ * to the corners. Of a thin solid these points lie very far apart, but not of one that is scaled to
+ * be as long along each axis. */
 static enum csg_hull_result run_dual(const struct csg_shape *shape, facet_fn *fn, struct dual *dual)
 {
     const struct csg_vec3 middle = csg_box_middle(&shape->bounds);
+    const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+    const struct csg_vec3 size = csg_sub(box.hi, box.lo);
     struct csg_points normals = {0};
     enum csg_hull_result result = CSG_HULL_DONE;
     dual->center = csg_map_point(&shape->frame, middle);
+    dual->scale = csg_vec3(positive(size.x), positive(size.y), positive(size.z));
     for (size_t i = 0; i < shape->num_planes && result == CSG_HULL_DONE; i++) {
         const struct csg_plane *plane = &shape->planes[i];
         const double d = plane->offset - csg_dot(plane->normal, dual->center);
         if (!(d > 0))
             result = CSG_HULL_FLAT; /* the middle is not inside */
-        else if (!csg_array_push(&normals.points, csg_scale(1 / d, plane->normal)))
+        else if (!csg_array_push(&normals.points, csg_scale(1 / d, scaled(dual, plane->normal))))
             result = CSG_HULL_NO_MEMORY;
     }
     if (result == CSG_HULL_DONE)
