@@ -100,14 +100,12 @@ static void add(struct verdict *sum, const struct verdict *part)
 }
 
 /* Pixels with another leaf than the reference, though the surface is the right one. */
-static size_t count_other_leaves(struct run *run, const struct pair *pair,
-                                 const struct csgcast_frustum *frustum, const char *name)
+static size_t count_other_leaves(struct run *run, const struct ideal_view *ideal, const char *name)
 {
     const int size = run->options.size;
     size_t num = 0;
     for (int i = 0; i < size * size; i++) {
-        if (run->got.id[i] == run->expected.id[i] ||
-            ideal_is_edge(&pair->ideal, frustum, size, size, i % size, i / size))
+        if (run->got.id[i] == run->expected.id[i] || ideal_view_is_edge(ideal, i % size, i / size))
             continue;
         if (!num++ && run->num_reported++ < MAX_REPORTED)
             printf("%s: pixel %d,%d shows leaf %g, in the reference %g\n", name, i % size, i / size,
@@ -129,15 +127,13 @@ static void report(struct run *run, const char *name, const char *who,
 
 static bool check_variants(struct run *run, const struct pair *pair,
                            const struct csgcast_scene *scene, struct csgcast_view *view,
-                           const char *name, struct totals *totals)
+                           const struct ideal_view *ideal, const char *name, struct totals *totals)
 {
     const struct tolerance tolerance = {pair->six ? 1e-4 : 2e-5, pair->six ? 1.0 : 0.5};
-    struct csgcast_frustum frustum;
-    bool ok = csgcast_view_resolve(scene, view, &frustum) &&
-              picture_render(run->reference, scene, view, &run->expected);
+    bool ok = picture_render(run->reference, scene, view, &run->expected);
     if (!ok)
         return false;
-    judge_picture(&run->expected, &pair->ideal, &frustum, &tolerance, &totals->reference);
+    judge_picture(&run->expected, ideal, &tolerance, &totals->reference);
     report(run, name, "reference", &totals->reference, &run->expected);
     for (size_t i = 0; csgcast_variant_name(i) && ok; i++) {
         struct verdict verdict = {0};
@@ -146,12 +142,25 @@ static bool check_variants(struct run *run, const struct pair *pair,
                                  : strcmp(view->variant, "textbook") == 0)
             continue;
         ok = picture_render(run->renderer, scene, view, &run->got);
-        judge_picture(&run->got, &pair->ideal, &frustum, &tolerance, &verdict);
+        judge_picture(&run->got, ideal, &tolerance, &verdict);
         report(run, name, view->variant, &verdict, &run->got);
         add(&totals->shader, &verdict);
         if (!pair->six || !verdict.wrong)
-            totals->other_leaf += count_other_leaves(run, pair, &frustum, name);
+            totals->other_leaf += count_other_leaves(run, ideal, name);
     }
+    return ok;
+}
+
+static bool check_scene(struct run *run, const struct pair *pair, const struct csgcast_scene *scene,
+                        struct csgcast_view *view, const char *name, struct totals *totals)
+{
+    struct csgcast_frustum frustum;
+    if (!csgcast_view_resolve(scene, view, &frustum))
+        return false;
+    struct ideal_view ideal =
+        ideal_view_create(&pair->ideal, &frustum, run->options.size, run->options.size);
+    const bool ok = check_variants(run, pair, scene, view, &ideal, name, totals);
+    ideal_view_free(&ideal);
     return ok;
 }
 
@@ -178,7 +187,7 @@ static void check_pair(struct run *run, struct dice *dice, enum relation relatio
     choose_view(dice, &pair, &view);
     const struct csgcast_scene_params params = {.name = name};
     struct csgcast_scene *scene = csgcast_scene_parse(pair.text.data, pair.text.num, &params);
-    const bool ok = scene && check_variants(run, &pair, scene, &view, name, &totals);
+    const bool ok = scene && check_scene(run, &pair, scene, &view, name, &totals);
     totals.failed = !ok || totals.shader.wrong || totals.reference.wrong || totals.other_leaf;
     if (totals.failed && run->num_reported <= MAX_REPORTED)
         save(&pair, name, &view);

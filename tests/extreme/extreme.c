@@ -103,19 +103,36 @@ static void print_shot(const struct run *run, const struct csgcast_renderer *ren
 }
 
 static bool shoot(struct run *run, struct csgcast_renderer *renderer, const char *variant,
-                  const struct csgcast_scene *scene, struct shot *shot, const char *name,
-                  struct measure *measure)
+                  const struct csgcast_scene *scene, struct shot *shot,
+                  const struct ideal_view *view, const char *name, struct measure *measure)
 {
-    struct csgcast_frustum frustum;
     const struct measure before = *measure;
     shot->view.variant = variant;
-    if (!csgcast_view_resolve(scene, &shot->view, &frustum) ||
-        !picture_render(renderer, scene, &shot->view, &run->picture))
+    if (!picture_render(renderer, scene, &shot->view, &run->picture))
         return false;
-    measure_add(measure, &run->picture, &shot->ideal, &frustum, shot->extent);
+    measure_add(measure, &run->picture, view, shot->extent);
     print_shot(run, renderer, shot, name, measure, &before);
     report(run, shot, name, variant ? variant : "reference", measure, &before);
     return true;
+}
+
+/* By the reference, and by each variant. */
+static bool shoot_all(struct run *run, const struct csgcast_scene *scene, struct shot *shot,
+                      const char *name, struct measure *shader, struct measure *reference)
+{
+    struct csgcast_frustum frustum;
+    if (!csgcast_view_resolve(scene, &shot->view, &frustum))
+        return false;
+    struct ideal_view view =
+        ideal_view_create(&shot->ideal, &frustum, run->options.size, run->options.size);
+    bool ok = shoot(run, run->reference, NULL, scene, shot, &view, name, reference);
+    for (size_t i = 0; ok && csgcast_variant_name(i); i++)
+        if (run->options.variant ? strcmp(run->options.variant, csgcast_variant_name(i)) == 0
+                                 : strcmp(csgcast_variant_name(i), "textbook") != 0)
+            ok = shoot(run, run->renderer, csgcast_variant_name(i), scene, shot, &view, name,
+                       shader);
+    ideal_view_free(&view);
+    return ok;
 }
 
 static bool run_shot(struct run *run, const struct sweep *sweep, double value, int index,
@@ -129,11 +146,7 @@ static bool run_shot(struct run *run, const struct sweep *sweep, double value, i
     shot.view.width = shot.view.height = run->options.size;
     const struct csgcast_scene_params params = {.name = name};
     struct csgcast_scene *scene = csgcast_scene_parse(shot.text.data, shot.text.num, &params);
-    bool ok = scene && shoot(run, run->reference, NULL, scene, &shot, name, reference);
-    for (size_t i = 0; ok && csgcast_variant_name(i); i++)
-        if (run->options.variant ? strcmp(run->options.variant, csgcast_variant_name(i)) == 0
-                                 : strcmp(csgcast_variant_name(i), "textbook") != 0)
-            ok = shoot(run, run->renderer, csgcast_variant_name(i), scene, &shot, name, shader);
+    const bool ok = scene && shoot_all(run, scene, &shot, name, shader, reference);
     if (!ok) {
         fprintf(stderr, "%s: not rendered\n", name);
         save(&shot, name);

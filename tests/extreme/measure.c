@@ -71,33 +71,31 @@ static double normal_error(const struct ideal_hit *hit, const float *normal)
 }
 
 static void measure_pixel(struct measure *measure, const struct picture *picture,
-                          const struct ideal_scene *ideal, const struct csgcast_frustum *frustum,
-                          double extent, int x, int y)
+                          const struct ideal_view *view, double extent, int x, int y)
 {
-    const int width = picture->width, height = picture->height;
+    const int width = view->width, height = view->height;
     const size_t i = (size_t)y * (size_t)width + (size_t)x;
-    const struct ideal_ray ray = ideal_ray(ideal, frustum, width, height, x + 0.5L, y + 0.5L);
-    const struct ideal_hit hit = ideal_trace(ideal, &ray);
+    const struct ideal_hit hit = view->pixels[i].hit;
     measure->rays++;
     if (is_broken(picture, i)) {
         note(measure, &measure->nan, x, y);
         return;
     }
     if (hit.hit != (picture->id[i] >= 0)) {
-        const double away = ideal_silhouette(ideal, frustum, width, height, x, y);
+        const double away = ideal_silhouette(view->scene, view->frustum, width, height, x, y);
         measure->displaced = fmax(measure->displaced, away);
         measure->misses += away > TIE;
-        if (!ideal_is_edge(ideal, frustum, width, height, x, y))
+        if (!ideal_view_is_edge(view, x, y))
             note(measure, &measure->outside, x, y);
         return;
     }
     if (!hit.hit)
         return;
-    const double least = frustum->orthographic ? extent : 0;
+    const double least = view->frustum->orthographic ? extent : 0;
     const double depth = (double)(fabsl(picture->z[i] - hit.t) / fmaxl(fabsl(hit.t), least));
     const double normal = normal_error(&hit, picture->normal + 3 * i);
     if (depth > OTHER_DEPTH || normal > OTHER_NORMAL) {
-        if (!ideal_is_edge(ideal, frustum, width, height, x, y))
+        if (!ideal_view_is_edge(view, x, y))
             note(measure, &measure->other, x, y);
         return;
     }
@@ -106,10 +104,9 @@ static void measure_pixel(struct measure *measure, const struct picture *picture
 }
 
 void measure_add(struct measure *measure, const struct picture *picture,
-                 const struct ideal_scene *ideal, const struct csgcast_frustum *frustum,
-                 double extent)
+                 const struct ideal_view *view, double extent)
 {
-    for (int y = 0; y < picture->height; y++)
-        for (int x = 0; x < picture->width; x++)
-            measure_pixel(measure, picture, ideal, frustum, extent, x, y);
+    for (int y = 0; y < view->height; y++)
+        for (int x = 0; x < view->width; x++)
+            measure_pixel(measure, picture, view, extent, x, y);
 }

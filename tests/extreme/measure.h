@@ -30,8 +30,7 @@ struct measure {
 /* extent: of the scene, which orthographic depths are related to at least: their zero may be
  * anywhere. */
 void measure_add(struct measure *measure, const struct picture *picture,
-                 const struct ideal_scene *ideal, const struct csgcast_frustum *frustum,
-                 double extent);
+                 const struct ideal_view *view, double extent);
 void measure_free(struct measure *measure);
 
 /* 0 to 1; 1 is the maximum. 0 without errors. */

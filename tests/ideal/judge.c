@@ -56,10 +56,38 @@ bool picture_is_edge(const struct picture *p, int x, int y, double degrees)
     return false;
 }
 
-static bool is_right(const struct picture *picture, size_t i, const struct ideal_scene *ideal,
-                     const struct ideal_ray *ray, const struct tolerance *tolerance)
+struct ideal_view ideal_view_create(const struct ideal_scene *scene,
+                                    const struct csgcast_frustum *frustum, int width, int height)
 {
-    const struct ideal_hit hit = ideal_trace(ideal, ray);
+    struct ideal_view view = {scene, frustum, width, height, NULL};
+    view.pixels = malloc((size_t)width * (size_t)height * sizeof *view.pixels);
+    if (!view.pixels)
+        abort();
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            struct ideal_pixel *pixel = &view.pixels[(size_t)y * (size_t)width + (size_t)x];
+            pixel->ray = ideal_ray(scene, frustum, width, height, x + 0.5L, y + 0.5L);
+            pixel->hit = ideal_trace(scene, &pixel->ray);
+        }
+    return view;
+}
+
+void ideal_view_free(struct ideal_view *view)
+{
+    free(view->pixels);
+}
+
+bool ideal_view_is_edge(const struct ideal_view *view, int x, int y)
+{
+    return ideal_is_edge(view->scene, view->frustum, view->width, view->height, x, y);
+}
+
+static bool is_right(const struct picture *picture, size_t i, const struct ideal_view *view,
+                     const struct tolerance *tolerance)
+{
+    const struct ideal_scene *ideal = view->scene;
+    const struct ideal_ray *ray = &view->pixels[i].ray;
+    const struct ideal_hit hit = view->pixels[i].hit;
     const real z = picture->z[i];
     if (!hit.hit || isinf(z))
         return !hit.hit && isinf(z) && picture->id[i] < 0;
@@ -75,20 +103,16 @@ static bool is_right(const struct picture *picture, size_t i, const struct ideal
     return (hit.from_inside ? 180 - angle : angle) <= tolerance->normal;
 }
 
-void judge_picture(const struct picture *picture, const struct ideal_scene *ideal,
-                   const struct csgcast_frustum *frustum, const struct tolerance *tolerance,
-                   struct verdict *verdict)
+void judge_picture(const struct picture *picture, const struct ideal_view *view,
+                   const struct tolerance *tolerance, struct verdict *verdict)
 {
-    const int width = picture->width, height = picture->height;
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) {
-            const size_t i = (size_t)y * (size_t)width + (size_t)x;
-            const struct ideal_ray ray =
-                ideal_ray(ideal, frustum, width, height, x + 0.5L, y + 0.5L);
+    for (int y = 0; y < view->height; y++)
+        for (int x = 0; x < view->width; x++) {
+            const size_t i = (size_t)y * (size_t)view->width + (size_t)x;
             verdict->rays++;
-            if (is_right(picture, i, ideal, &ray, tolerance))
+            if (is_right(picture, i, view, tolerance))
                 continue;
-            if (ideal_is_edge(ideal, frustum, width, height, x, y)) {
+            if (ideal_view_is_edge(view, x, y)) {
                 verdict->edge++;
                 continue;
             }

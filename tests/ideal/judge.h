@@ -25,6 +25,23 @@ double picture_angle(const float *a, const float *b);
  * hundredth, or one turned by more than so many degrees. */
 bool picture_is_edge(const struct picture *p, int x, int y, double degrees);
 
+/* What the rays through the pixels' centres meet by construction: found once for all pictures of a
+ * view. */
+struct ideal_view {
+    const struct ideal_scene *scene;
+    const struct csgcast_frustum *frustum;
+    int width, height;
+    struct ideal_pixel {
+        struct ideal_ray ray;
+        struct ideal_hit hit;
+    } * pixels;
+};
+
+struct ideal_view ideal_view_create(const struct ideal_scene *scene,
+                                    const struct csgcast_frustum *frustum, int width, int height);
+void ideal_view_free(struct ideal_view *view);
+bool ideal_view_is_edge(const struct ideal_view *view, int x, int y);
+
 struct tolerance {
     double surface; /* share of the scene: how far a hit may be off the right surface */
     double normal;  /* degrees */
@@ -38,8 +55,7 @@ struct verdict {
 };
 
 /* Adds to verdict. */
-void judge_picture(const struct picture *picture, const struct ideal_scene *ideal,
-                   const struct csgcast_frustum *frustum, const struct tolerance *tolerance,
-                   struct verdict *verdict);
+void judge_picture(const struct picture *picture, const struct ideal_view *view,
+                   const struct tolerance *tolerance, struct verdict *verdict);
 
 #endif
