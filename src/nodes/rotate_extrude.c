@@ -20,11 +20,23 @@ enum { max_segments = 65536 };
 #define MIN_SURFACE_SPANS 4
 
 struct revolution {
+    struct csg_walk *walk;
+    uint32_t node;
+    bool in_boolean;
     struct csg_turn turn;
     struct csg_facets facets;
     bool has_file;
     bool rounds_up; /* the number of segments of a part of a turn */
+    struct csg_drawing drawing;
+    struct csg_profile profile; /* the same, swept */
+    double rounding;            /* of its points */
+    struct csg_part *part;
 };
+
+static bool no_memory(const struct revolution *revolution)
+{
+    return csg_walk_no_memory(revolution->walk);
+}
 
 /* OpenSCAD turns all round for an angle outside of (-360, 360], and starts on -x then. */
 static void read_revolution(const struct csg_args *args, struct revolution *to)
@@ -45,8 +57,9 @@ static void read_revolution(const struct csg_args *args, struct revolution *to)
 
 /* Segments of the turn: those of a circle as large as the profile. OpenSCAD 2021.01 leaves a part
  * of one out (GeometryEvaluator.cc), 2025, which always writes start, does not. */
-static int count_segments(const struct revolution *revolution, const struct csg_profile *profile)
+static int count_segments(const struct revolution *revolution)
 {
+    const struct csg_profile *profile = &revolution->profile;
     const double radius = fmax(profile->hi, 0) - fmin(profile->lo, 0);
     const int all_round = csg_facets_count(&revolution->facets, radius);
     const double part = fmax(all_round * fabs(revolution->turn.angle) / 360, 1);
@@ -55,17 +68,17 @@ static int count_segments(const struct revolution *revolution, const struct csg_
 }
 
 /* Flat segments of a profile with many sides, as one surface; *taken: that is there. */
-static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn,
-                        const struct csg_profile *profile, double rounding, struct csg_part *part,
-                        bool *taken)
+static bool add_surface(struct revolution *revolution, bool *taken)
 {
     struct csg_shape shape = {0};
-    const enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
+    const enum csg_sweep_result result = csg_drawing_evaluate(&revolution->drawing, 0);
     bool ok = result != CSG_SWEEP_NO_MEMORY;
     if (result == CSG_SWEEP_DONE)
-        ok = csg_revolve_surface(&shape, drawing, profile, turn, rounding);
+        ok = csg_revolve_surface(&shape, &revolution->drawing, &revolution->profile,
+                                 &revolution->turn, revolution->rounding);
     *taken = shape.surface != NULL;
-    return ok && (!*taken || csg_part_add(part, &shape, false));
+    return (ok && (!*taken || csg_part_add(revolution->part, &shape, false))) ||
+           no_memory(revolution);
 }
 
 /* Only dents of so many degrees may be so shallow in OpenSCAD's facets, where these are put, that
@@ -74,21 +87,22 @@ static bool add_surface(struct csg_drawing *drawing, const struct csg_turn *turn
 
 /* Replaces the profile of a solid that shows as its hull by its own. false, with a message, when
  * memory is out. */
-static bool take_hull(struct csg_walk *walk, uint32_t node, const struct csg_turn *turn,
-                      struct csg_drawing *drawing, struct csg_profile *profile, double rounding)
+static bool take_hull(struct revolution *revolution)
 {
+    struct csg_drawing *drawing = &revolution->drawing;
+    struct csg_profile *profile = &revolution->profile;
     struct csg_mesh mesh = {0};
     struct csg_mesh_gaps gaps = {0};
     bool is_hull = false;
     const double dents = csg_profile_dents(profile);
-    if (!(dents > 0 && dents < MAPPED_DEGREES) || walk->points_only)
+    if (!(dents > 0 && dents < MAPPED_DEGREES) || revolution->walk->points_only)
         return true;
     enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
     if (result == CSG_SWEEP_DONE &&
-        !csg_revolve_mesh(&mesh, &gaps, drawing, profile, turn, rounding))
+        !csg_revolve_mesh(&mesh, &gaps, drawing, profile, &revolution->turn, revolution->rounding))
         result = CSG_SWEEP_NO_MEMORY;
     bool ok = result != CSG_SWEEP_DONE || mesh.faces.num == 0 || gaps.num > 0 ||
-              csg_polyhedron_find_hull(walk, node, &mesh, &is_hull);
+              csg_polyhedron_find_hull(revolution->walk, revolution->node, &mesh, &is_hull);
     csg_mesh_finish(&mesh);
     if (is_hull)
         result = csg_drawing_hull(drawing, 0);
@@ -96,17 +110,25 @@ static bool take_hull(struct csg_walk *walk, uint32_t node, const struct csg_tur
         csg_profile_finish(profile);
         result = csg_profile_init(profile, drawing);
     }
-    if (result == CSG_SWEEP_NO_MEMORY)
-        ok = csg_log_memory(&walk->builder->report->log);
-    return ok;
+    return result == CSG_SWEEP_NO_MEMORY ? no_memory(revolution) : ok;
 }
 
-static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *revolution,
-                    struct csg_drawing *drawing, struct csg_profile *profile, double rounding,
-                    bool in_boolean, struct csg_part *part)
+/* Whether flat segments make a surface. */
+static bool is_surface(const struct revolution *revolution)
 {
+    return revolution->turn.facetted && !revolution->walk->is_operand &&
+           (csg_turn_is_flat(&revolution->turn)
+                ? !revolution->in_boolean
+                : revolution->profile.sweep.spans.num >= MIN_SURFACE_SPANS);
+}
+
+static bool revolve(struct revolution *revolution)
+{
+    const struct csg_profile *profile = &revolution->profile;
+    struct csg_turn *turn = &revolution->turn;
+    bool taken = false;
     if (profile->lo < -profile->snap && profile->hi > profile->snap) {
-        csg_walk_warning(walk, node,
+        csg_walk_warning(revolution->walk, revolution->node,
                          "the profile must lie on one side of the axis, but its x reaches from %g "
                          "to %g; nothing is drawn",
                          profile->lo, profile->hi);
@@ -114,47 +136,45 @@ static bool revolve(struct csg_walk *walk, uint32_t node, struct revolution *rev
     }
     if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
         return true;
-    revolution->turn.num = count_segments(revolution, profile);
+    turn->num = count_segments(revolution);
     /* A single segment is what lies between its two ends, on their near side. */
-    if (revolution->turn.facetted && revolution->turn.num == 1 &&
-        fabs(revolution->turn.angle) > 180)
-        revolution->turn.angle -= copysign(360, revolution->turn.angle);
-    if (!take_hull(walk, node, &revolution->turn, drawing, profile, rounding))
+    if (turn->facetted && turn->num == 1 && fabs(turn->angle) > 180)
+        turn->angle -= copysign(360, turn->angle);
+    if (!take_hull(revolution) || (is_surface(revolution) && !add_surface(revolution, &taken)))
         return false;
-    bool taken = false;
-    const bool is_surface = csg_turn_is_flat(&revolution->turn)
-                                ? !in_boolean
-                                : profile->sweep.spans.num >= MIN_SURFACE_SPANS;
-    if (revolution->turn.facetted && !walk->is_operand && is_surface &&
-        !add_surface(drawing, &revolution->turn, profile, rounding, part, &taken))
-        return csg_walk_no_memory(walk);
-    return taken || csg_revolve(part, profile, &revolution->turn, rounding) ||
-           csg_walk_no_memory(walk);
+    return taken || csg_revolve(revolution->part, profile, turn, revolution->rounding) ||
+           no_memory(revolution);
+}
+
+/* What is turned; a drawing that is too large leaves nothing. false, with a message, when memory is
+ * out. */
+static bool read_and_revolve(struct revolution *revolution, const struct csg_args *args)
+{
+    struct csg_drawing *drawing = &revolution->drawing;
+    if (!(revolution->has_file
+              ? csg_import_drawing(revolution->walk, revolution->node, args,
+                                   csg_args_number(args, "scale", 1, NULL), drawing)
+              : csg_drawing_read(revolution->walk, revolution->node, revolution->in_boolean,
+                                 drawing)))
+        return false;
+    const enum csg_sweep_result result = csg_profile_init(&revolution->profile, drawing);
+    revolution->rounding = csg_drawing_rounding(drawing, 0, (uint32_t)drawing->nodes.num);
+    revolution->part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
+    if (result == CSG_SWEEP_DONE)
+        return revolve(revolution);
+    return result == CSG_SWEEP_TOO_LARGE || no_memory(revolution);
 }
 
 bool csg_compound_rotate_extrude(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                                  bool in_boolean, struct csg_part *part)
 {
-    struct revolution revolution = {0};
-    struct csg_drawing drawing = {0};
-    struct csg_profile profile = {0};
+    struct revolution revolution = {
+        .walk = walk, .node = node, .in_boolean = in_boolean, .part = part};
     read_revolution(args, &revolution);
     if (revolution.turn.angle == 0)
         return true;
-    bool ok = revolution.has_file
-                  ? csg_import_drawing(walk, node, args, csg_args_number(args, "scale", 1, NULL),
-                                       &drawing)
-                  : csg_drawing_read(walk, node, in_boolean, &drawing);
-    if (ok) {
-        const enum csg_sweep_result result = csg_profile_init(&profile, &drawing);
-        const double rounding = csg_drawing_rounding(&drawing, 0, (uint32_t)drawing.nodes.num);
-        part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;
-        if (result == CSG_SWEEP_DONE)
-            ok = revolve(walk, node, &revolution, &drawing, &profile, rounding, in_boolean, part);
-        else
-            ok = result == CSG_SWEEP_TOO_LARGE || csg_walk_no_memory(walk);
-    }
-    csg_profile_finish(&profile);
-    csg_drawing_finish(&drawing);
+    const bool ok = read_and_revolve(&revolution, args);
+    csg_profile_finish(&revolution.profile);
+    csg_drawing_finish(&revolution.drawing);
     return ok;
 }
