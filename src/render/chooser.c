@@ -5,10 +5,9 @@
 
 #include "render/chooser_parts.h"
 
-/* Objects of more steps are drawn in tiles where steps times pixels are more than this: a tile
+/* Objects of several steps are drawn in tiles where steps times pixels are more than this: a tile
  * leaves out most of the solids, and all where it is empty, but takes as long to make as some
  * hundred pixels, on one core, and several programs where it would be one. */
-#define MANY_STEPS 10
 #define MAX_STEP_PIXELS 3e5
 
 /* The same for objects of any steps whose structure has no program of its own, which the loop
@@ -31,7 +30,7 @@ static bool is_common(const struct csg_request *request, size_t object)
  * few pixels. */
 bool csg_chooser_may_tile(const struct csg_request *request, const struct csg_structure *structure)
 {
-    return request->resolver < 0 && !request->textbook && structure->num > MANY_STEPS;
+    return request->resolver < 0 && !request->textbook && structure->num > 1;
 }
 
 /* What a draw's program must do because of this view. */

@@ -39,7 +39,7 @@ echo 'resize([10, 0, 5]) rotate_extrude($fn = 12) translate([5, 0]) circle(2, $f
 expect 0 "what is resized" info ring.csg --facets=as-written --no-gl
 check "one leaf" grep -qx "leaves *1" out
 
-expect 0 "what a frame costs" info part.csg --stats
+expect 0 "what a frame costs" info part.csg --stats --variant=straight
 prints "draw ms"
 prints "tests a pixel      3.000"
 prints "tiles, mixed       0"
@@ -66,7 +66,7 @@ says "0 to 64"
 expect 0 "what is not counted" render ball.csg --stats -o ball.png
 says "hit pixels         not counted"
 if command -v node >/dev/null; then
-    "$csgcast" info part.csg --stats --json >out 2>err
+    "$csgcast" info part.csg --stats --variant=straight --json >out 2>err
     node -e '
         const report = JSON.parse(require("fs").readFileSync("out", "utf8"));
         process.exit(report.tests_per_pixel === 3 && report.hit_pixels > 1000 && report.draw_ms > 0 &&

@@ -185,45 +185,62 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
     return ok;
 }
 
-/* A picture alone, of few programs, is that of the loop. variants: what the statistics begin with,
- * up to the first count. */
-static void check_alone(const char *text, const char *variants)
+/* A picture by a variant is that of the loop. resolvers: what the statistics begin with, up to the
+ * first count. */
+static void check_variant(const char *text, int size, const char *variant, const char *resolvers)
 {
-    enum { size = 256 };
-    static uint8_t shared[4 * size * size], loop[4 * size * size];
+    const size_t bytes = 4 * (size_t)size * (size_t)size;
     const struct csgcast_scene_params fixed = {.fixed = true};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &fixed);
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
-    struct csgcast_view view = {.width = size, .height = size, .variant = "shared"};
+    struct csgcast_view view = {.width = size, .height = size, .variant = variant};
     struct csgcast_stats stats;
-    bool ok = scene && renderer &&
-              csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = shared});
+    uint8_t *got = malloc(bytes), *loop = malloc(bytes);
+    bool ok = scene && renderer && got && loop &&
+              csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = got});
     CHECK(ok, "no picture");
     if (ok) {
         csgcast_renderer_get_stats(renderer, &stats);
-        const size_t length = strlen(variants);
-        CHECK(strncmp(stats.variants, variants, length) == 0 &&
+        const size_t length = strlen(resolvers);
+        CHECK(strncmp(stats.variants, resolvers, length) == 0 &&
                   !strchr(stats.variants + length, ','),
-              "%s instead of %s", stats.variants, variants);
+              "%s instead of %s", stats.variants, resolvers);
         view.variant = "loop";
         ok = csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = loop});
-        CHECK(ok && memcmp(shared, loop, sizeof loop) == 0, "pictures differ");
+        CHECK(ok && memcmp(got, loop, bytes) == 0, "pictures differ");
     }
+    free(loop);
+    free(got);
     csgcast_renderer_destroy(renderer);
     csgcast_scene_destroy(scene);
+}
+
+/* A picture alone, of few programs. */
+static void check_alone(const char *text, const char *resolvers)
+{
+    check_variant(text, 256, "shared", resolvers);
+}
+
+static const char five[] =
+    "difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13);"
+    "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+    "multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
+    "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+    "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
+    "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }";
+
+/* A part of few solids is worth tiles where it covers many pixels. */
+static void check_few_solids(void)
+{
+    check_variant(five, 128, "auto", "straight 1");
+    check_variant(five, 512, "auto", "chain ");
 }
 
 /* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
  */
 static void check_few_programs(void)
 {
-    check_alone("difference() { cube(size = [20, 20, 20], center = true); sphere(r = 13);"
-                "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
-                "multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
-                "cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
-                "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
-                "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }",
-                "chain ");
+    check_alone(five, "chain ");
     const char *const few =
         "sphere(r = 2); multmatrix([[1, 0, 0, 6], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
         "cylinder(h = 4, r1 = 2, r2 = 2);"
@@ -277,6 +294,7 @@ static void check_post(const struct example *example)
 int main(void)
 {
     check_kept(&examples[0]);
+    check_few_solids();
     check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
