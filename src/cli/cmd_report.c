@@ -83,7 +83,8 @@ static void read_openscad(struct csg_report *report)
     if (!csg_process_make_folder(&folder))
         return;
     snprintf(log, sizeof log, "%s/log", folder.path);
-    FILE *file = csg_process_run(argv, log, 10, NULL) == CSG_PROCESS_DONE ? fopen(log, "r") : NULL;
+    FILE *file =
+        csg_process_run(argv, log, 10, 0, NULL) == CSG_PROCESS_DONE ? fopen(log, "r") : NULL;
     if (file && fgets(line, sizeof line, file))
         line[strcspn(line, "\n")] = 0;
     if (file)

@@ -63,7 +63,8 @@ static enum csg_process_end run_openscad(struct csg_mesh_source *source, const c
     }
     argv[n++] = input;
     const enum csg_process_end end =
-        csg_process_run(argv, log, source->options->compare.limit, &source->seconds);
+        csg_process_run(argv, log, source->options->compare.limit, source->params->openscad_memory,
+                        &source->seconds);
     free(argv);
     return end;
 }

@@ -232,6 +232,10 @@ const struct csg_option csg_option_table[] = {
      "what flattens .scad files and evaluates subtrees that only it\n"
      "can; default $OPENSCAD or openscad",
      csg_set_openscad},
+    {"openscad-memory", 0, REQUIRED, ALL | REPORT, "MIB",
+     "what a run of it may take; default: half of the machine's memory", csg_set_openscad_memory},
+    {"openscad-time", 0, REQUIRED, ALL | REPORT, "SECONDS",
+     "of processor time that it may take; default: no end", csg_set_openscad_time},
     {"no-handoff", 0, NONE, ALL | REPORT, NULL, "such subtrees are errors instead", set_no_handoff},
     {"cache", 0, REQUIRED, ALL | CACHE | REPORT, "DIR",
      "where what openscad made of them is kept; default\n"

@@ -27,11 +27,12 @@ static void write_log(const char *path, const struct csg_bytes *output)
 }
 
 enum csg_process_end csg_process_run(const char *const *argv, const char *log, double limit,
-                                     double *seconds)
+                                     uint64_t memory, double *seconds)
 {
+    const struct csg_process_bounds bounds = {.memory = memory};
     struct csg_process process;
     const double begun = csg_clock_ms();
-    if (csg_process_start(&process, (char *const *)(uintptr_t)argv, NULL, NULL, NULL))
+    if (csg_process_start(&process, (char *const *)(uintptr_t)argv, NULL, NULL, NULL, &bounds))
         return CSG_PROCESS_MISSING;
     csg_process_wait(&process, 1, limit > 0 ? (int)fmin(1e3 * limit, INT_MAX) : -1);
     if (seconds)

@@ -5,6 +5,7 @@
 /* Other programs, run to their end or to a time limit, and a folder for what they write. */
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "common/folder.h"
 
@@ -17,10 +18,11 @@ enum csg_process_end {
 
 /*
  * Runs argv, found on the path, without a shell. What it prints goes to the file log (NULL: to
- * /dev/null). limit: seconds, 0 for none. seconds: how long it took; may be NULL.
+ * /dev/null). limit: seconds, 0 for none. memory: as in struct csg_process_bounds. seconds: how long
+ * it took; may be NULL.
  */
 enum csg_process_end csg_process_run(const char *const *argv, const char *log, double limit,
-                                     double *seconds);
+                                     uint64_t memory, double *seconds);
 
 /* Whether a program of that name is on the path. */
 bool csg_process_exists(const char *program);

@@ -87,7 +87,8 @@ static enum csg_process_end run_cgal(const struct mesher *mesher, const char *pa
         openscad_program(mesher->options), "-o", mesher->stl, "-D", fn, path, NULL};
     double seconds = 0;
     const enum csg_process_end end =
-        csg_process_run(argv, mesher->log, mesher->options->report.limit, &seconds);
+        csg_process_run(argv, mesher->log, mesher->options->report.limit,
+                        mesher->options->scene.openscad_memory, &seconds);
     *ms = 1e3 * seconds;
     return end;
 }
@@ -100,7 +101,8 @@ static enum csg_process_end run_manifold(const struct mesher *mesher, const char
         return CSG_PROCESS_FAILED;
     const char *argv[] = {"node", mesher->script, folder, path, mesher->stl, fn, NULL};
     const enum csg_process_end end =
-        csg_process_run(argv, mesher->log, mesher->options->report.limit, NULL);
+        csg_process_run(argv, mesher->log, mesher->options->report.limit,
+                        mesher->options->scene.openscad_memory, NULL);
     *ms = end == CSG_PROCESS_DONE ? read_number(mesher->log) : 0;
     return end;
 }

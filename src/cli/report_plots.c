@@ -203,8 +203,8 @@ bool csg_report_plot(const struct csg_report *report)
         return false;
     snprintf(script, sizeof script, "%s/plot.gp", folder.path);
     snprintf(log, sizeof log, "%s/log", folder.path);
-    const bool ok =
-        print_script(report, script) && csg_process_run(argv, log, 120, NULL) == CSG_PROCESS_DONE;
+    const bool ok = print_script(report, script) &&
+                    csg_process_run(argv, log, 120, 0, NULL) == CSG_PROCESS_DONE;
     if (!ok) {
         show_log(log);
         csg_cli_error("gnuplot does not draw the plots");

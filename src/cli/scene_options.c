@@ -66,6 +66,24 @@ const char *csg_set_openscad(struct csg_cli_options *options, const char *value)
     return *value ? NULL : "a program";
 }
 
+const char *csg_set_openscad_memory(struct csg_cli_options *options, const char *value)
+{
+    double mebibytes;
+    if (!csg_value_double(value, &mebibytes) || !(mebibytes >= 1 && mebibytes < 1e9))
+        return "mebibytes from 1";
+    options->scene.openscad_memory = (uint64_t)(mebibytes * (1 << 20));
+    return NULL;
+}
+
+const char *csg_set_openscad_time(struct csg_cli_options *options, const char *value)
+{
+    int seconds;
+    if (!csg_value_int(value, &seconds) || seconds <= 0)
+        return "whole seconds above 0";
+    options->scene.openscad_seconds = (uint32_t)seconds;
+    return NULL;
+}
+
 const char *csg_set_cache(struct csg_cli_options *options, const char *value)
 {
     options->scene.cache = value;

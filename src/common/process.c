@@ -12,6 +12,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +29,7 @@ static const size_t chunk_size = 1 << 14;
 struct program {
     char *const *argv, *const *environment;
     const char *input, *directory;
+    struct rlimit memory, seconds;
     int output;
     pid_t parent;
     volatile int error;
@@ -62,11 +64,19 @@ static bool redirect(const struct program *program)
     return ok;
 }
 
+/* Memory that is only reserved, as threads and compilers have it, does not count. */
+static void bound(const struct program *program)
+{
+    setrlimit(RLIMIT_DATA, &program->memory);
+    setrlimit(RLIMIT_CPU, &program->seconds);
+}
+
 /* The parent's memory until exec: nothing is allocated or kept. It ends with the thread that waits
  * for it, however that ends. */
 static void become(struct program *program)
 {
     reset_signals();
+    bound(program);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == program->parent && redirect(program))
         execvpe(program->argv[0], program->argv, program->environment);
@@ -91,9 +101,31 @@ static int spawn(struct csg_process *process, struct program *program)
     return error;
 }
 
-int csg_process_start(struct csg_process *process, char *const *argv, const char *input,
-                      const char *directory, char *const *environment)
+uint64_t csg_process_memory(const struct csg_process_bounds *bounds)
 {
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    if (bounds->memory > 0)
+        return bounds->memory;
+    return pages > 0 && size > 0 ? (uint64_t)pages / 2 * (uint64_t)size : UINT64_MAX;
+}
+
+/* Our own limit, or less. */
+static struct rlimit make_limit(int resource, uint64_t most)
+{
+    struct rlimit limit;
+    if (getrlimit(resource, &limit))
+        limit = (struct rlimit){RLIM_INFINITY, RLIM_INFINITY};
+    if (most < limit.rlim_cur)
+        limit.rlim_cur = most;
+    return limit;
+}
+
+int csg_process_start(struct csg_process *process, char *const *argv, const char *input,
+                      const char *directory, char *const *environment,
+                      const struct csg_process_bounds *bounds)
+{
+    const uint64_t memory = bounds ? csg_process_memory(bounds) : UINT64_MAX;
+    const uint64_t seconds = bounds && bounds->seconds > 0 ? bounds->seconds : UINT64_MAX;
     int ends[2];
     *process = (struct csg_process){.pipe = -1};
     if (pipe(ends) != 0)
@@ -104,6 +136,8 @@ int csg_process_start(struct csg_process *process, char *const *argv, const char
                               .environment = environment ? environment : environ,
                               .input = input,
                               .directory = directory,
+                              .memory = make_limit(RLIMIT_DATA, memory),
+                              .seconds = make_limit(RLIMIT_CPU, seconds),
                               .output = ends[1],
                               .parent = getpid()};
     const int error = spawn(process, &program);

@@ -7,9 +7,16 @@
  * end with the thread that has started them, so with a process that is killed.
  */
 
+#include <stdint.h>
 #include <sys/types.h>
 
 #include "common/file.h"
+
+/* What a program may use up before the system ends it. */
+struct csg_process_bounds {
+    uint64_t memory;  /* bytes. 0: half of the machine's; UINT64_MAX: all that there is */
+    uint32_t seconds; /* of processor time. 0: no bound */
+};
 
 struct csg_process {
     bool is_running;
@@ -24,10 +31,14 @@ struct csg_process {
  * Starts argv[0], looked for in the path, without a shell: names with blanks and quotes need no
  * care. input: the file that is its standard input, NULL: an empty one. directory: where it starts,
  * NULL: where we are. environment: its variables, "NAME=value" with NULL behind the last one; NULL:
- * ours. Returns an error number; process then needs no finish.
+ * ours. bounds: NULL: ours. Returns an error number; process then needs no finish.
  */
 int csg_process_start(struct csg_process *process, char *const *argv, const char *input,
-                      const char *directory, char *const *environment);
+                      const char *directory, char *const *environment,
+                      const struct csg_process_bounds *bounds);
+
+/* The bytes that bounds->memory stands for. */
+uint64_t csg_process_memory(const struct csg_process_bounds *bounds);
 
 /*
  * Waits until one of the processes has ended, or for the time given in ms; below 0: without end.

@@ -19,6 +19,7 @@
 #include "common/clock.h"
 #include "document/report.h"
 #include "nodes/handoff_mesh.h"
+#include "openscad/bounds.h"
 #include "openscad/openscad.h"
 
 static const double progress_after = 1; /* seconds, then once in that time */
@@ -83,7 +84,7 @@ static int ask_version(struct csg_handoff_run *run)
     char option[] = "--version";
     char *argv[] = {run->program, option, NULL};
     struct csg_process process = {0};
-    int error = csg_process_start(&process, argv, NULL, NULL, NULL);
+    int error = csg_process_start(&process, argv, NULL, NULL, NULL, NULL);
     if (!error) {
         csg_process_wait(&process, 1, -1);
         error = process.error ? process.error : csg_process_is_missing(&process) ? ENOENT : 0;
@@ -130,8 +131,9 @@ static int start_openscad(struct csg_handoff_run *run, struct csg_handoff_job *j
     char option_o[] = "-o", option_format[] = "--export-format=binstl", from_input[] = "-";
     char *argv[] = {run->program, option_o, output, option_format, from_input, NULL};
     const char *directory = run->handoff->params->directory;
+    const struct csg_process_bounds bounds = csg_openscad_bounds(run->handoff->params);
     const int error = write_input(run, input, &run->handoff->results.data[job->result].text)
-                          ? csg_process_start(&job->process, argv, input, directory, NULL)
+                          ? csg_process_start(&job->process, argv, input, directory, NULL, &bounds)
                           : errno;
     job->begun = csg_clock_ms() / 1000;
     return error;
@@ -219,13 +221,10 @@ static bool take_value(struct csg_handoff_run *run, const struct csg_handoff_job
 
 static void fail_job(const struct csg_handoff_run *run, struct csg_handoff_job *job)
 {
-    const int status = job->process.status;
-    char what[96];
-    if (WIFSIGNALED(status))
-        snprintf(what, sizeof what, "openscad was killed by signal %d", WTERMSIG(status));
-    else
-        snprintf(what, sizeof what, "openscad reports an error (exit status %d)",
-                 WEXITSTATUS(status));
+    const struct csg_process_bounds bounds = csg_openscad_bounds(run->handoff->params);
+    char end[CSG_OPENSCAD_END_SIZE], what[CSG_OPENSCAD_END_SIZE + 16];
+    csg_openscad_describe_end(&job->process, &bounds, end);
+    snprintf(what, sizeof what, "openscad %s", end);
     pass_on(run, job->node, &job->process.output, true);
     fail(run, job->node, what, "");
 }

@@ -12,6 +12,7 @@
 
 #include "common/process.h"
 #include "document/digits.h"
+#include "openscad/bounds.h"
 #include "openscad/plain_text.h"
 #include "openscad/viewpoint.h"
 
@@ -24,6 +25,7 @@ struct run {
     char *input;     /* absolute: openscad resolves -o beside its input file */
     char *output;    /* in the folder; the ending tells openscad the format */
     char frames[24]; /* how many, as text */
+    struct csg_process_bounds bounds;
     struct csg_process process;
 };
 
@@ -195,7 +197,7 @@ static char **make_argv(struct run *run, const struct csgcast_scene_params *para
 
 static bool run_once(struct run *run, char *const *argv, char *const *environment)
 {
-    const int error = csg_process_start(&run->process, argv, NULL, NULL, environment);
+    const int error = csg_process_start(&run->process, argv, NULL, NULL, environment, &run->bounds);
     if (error)
         return fail_to_start(run, error);
     csg_process_wait(&run->process, 1, -1);
@@ -243,19 +245,14 @@ static bool take_cameras(struct run *run)
 
 static bool check(struct run *run)
 {
-    const int status = run->process.status;
+    char end[CSG_OPENSCAD_END_SIZE];
     const bool failed = has_failed(run);
     const bool has_error = csg_openscad_pass_on(run->log, "", &run->process.output, failed);
     if (!failed && !has_error)
         return true;
-    if (WIFSIGNALED(status))
-        csg_log_error(run->log, CSGCAST_MESSAGE_OPENSCAD,
-                      "cannot flatten %s: %s was killed by signal %d", run->path, run->program,
-                      WTERMSIG(status));
-    else
-        csg_log_error(run->log, CSGCAST_MESSAGE_OPENSCAD,
-                      "cannot flatten %s: %s reports an error (exit status %d)", run->path,
-                      run->program, WEXITSTATUS(status));
+    csg_openscad_describe_end(&run->process, &run->bounds, end);
+    csg_log_error(run->log, CSGCAST_MESSAGE_OPENSCAD, "cannot flatten %s: %s %s", run->path,
+                  run->program, end);
     return false;
 }
 
@@ -269,7 +266,10 @@ bool csg_openscad_flatten(const char *path, const struct csgcast_scene_params *p
                           size_t num_frames, const struct csg_log *log,
                           struct csg_flattened *flattened)
 {
-    struct run run = {.path = path, .program = csg_openscad_program(params), .log = log};
+    struct run run = {.path = path,
+                      .program = csg_openscad_program(params),
+                      .log = log,
+                      .bounds = csg_openscad_bounds(params)};
     run.flattened = flattened;
     flattened->num_frames = num_frames;
     const bool done = prepare(&run, params) && execute(&run, params) && take_cameras(&run) &&

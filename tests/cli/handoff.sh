@@ -106,6 +106,24 @@ OPENSCAD=./short expect 1 "openscad writes one triangle less" info a.csg --no-gl
 says "its STL file cannot be read"
 check "none of these is in a cache" test "$(entries cache) $(entries other)" = "1 0"
 
+# What openscad may take. Starting it takes less than a second.
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\nwhile :; do :; done\n' >never
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\nawk "BEGIN { for (;;) a[++i] = i }" || { echo "std::bad_alloc"; exit 1; }\n' >eats
+printf '#!/bin/sh\n[ "$1" = --version ] && exit 0\necho "ERROR: $(ulimit -d)"; exit 1\n' >bound
+echo 'cube(1);' >never.scad
+chmod +x never eats bound
+OPENSCAD=./never expect 1 "openscad does not end" info a.csg --no-gl --cache=other --openscad-time=1
+says "a.csg:4:3: import_dxf: only openscad can evaluate it, and openscad needs more than 1 s of processor time (--openscad-time)"
+OPENSCAD=./eats expect 1 "openscad takes all memory" info a.csg --no-gl --cache=other --openscad-memory=100
+says "needs more than 100 MiB of memory (--openscad-memory)"
+OPENSCAD=./never expect 1 "flattening does not end" info never.scad --no-gl --openscad-time=1
+says "cannot flatten never.scad: ./never needs more than 1 s of processor time"
+OPENSCAD=./bound expect 1 "half of the memory" info a.csg --no-gl --cache=other
+half=$(($(getconf _PHYS_PAGES) / 2 * $(getconf PAGESIZE) / 1024))
+check "is the bound" test "$(sed -n 's/.*openscad: ERROR: \([0-9]*\)$/\1/p' err)" = "$half"
+expect 2 "no memory" info a.csg --no-gl --openscad-memory=0
+expect 2 "no time" info a.csg --no-gl --openscad-time=0.5
+
 # Corrupt entries are as good as none.
 for file in cache/*.csgcast; do
     printf x | dd of="$file" bs=1 seek=100 conv=notrunc 2>dd.log

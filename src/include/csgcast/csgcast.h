@@ -104,6 +104,9 @@ struct csgcast_scene_params {
     const char *directory;      /* where relative file names in the scene start. NULL: the path's
                                  * folder; for text in memory and "-" the working directory */
     const char *openscad;       /* program that flattens .scad. NULL: $OPENSCAD or "openscad" */
+    uint64_t openscad_memory;   /* bytes that a run of it may take. 0: half of the machine's memory;
+                                * UINT64_MAX: all that it gets */
+    uint32_t openscad_seconds;  /* of processor time for a run of it. 0: without end */
     bool no_handoff;     /* subtrees that only openscad can evaluate are unsupported instead */
     const char *cache;   /* directory that keeps what openscad made of them; "": none. NULL:
                           * $CSGCAST_CACHE, $XDG_CACHE_HOME/csgcast or ~/.cache/csgcast */
