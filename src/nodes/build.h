@@ -118,6 +118,9 @@ void csg_build_renumber(struct csg_builder *builder, uint32_t begin, uint32_t en
  */
 void csg_unsupported(struct csg_builder *builder, uint32_t node, const char *reason);
 
+/* The same without asking openscad. */
+void csg_refuse(struct csg_builder *builder, uint32_t node, const char *reason);
+
 /* Whether node is no operand of the node around it: under * or %, or of the wrong dimension. */
 static inline bool csg_is_left_out(const struct csg_builder *builder, uint32_t node)
 {

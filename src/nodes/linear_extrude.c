@@ -105,6 +105,19 @@ static bool extrude(struct csg_walk *walk, const struct extrusion *extrusion, bo
     return too_large || csg_walk_no_memory(walk);
 }
 
+static bool refuse_twist(struct csg_walk *walk, uint32_t node, const struct csg_twist *twist,
+                         const struct csg_drawing *drawing)
+{
+    const double num = csg_twist_num_faces(twist, drawing);
+    const bool is_refused = num > CSG_TWIST_MAX_FACES;
+    if (is_refused)
+        csg_walk_refuse(walk, node,
+                        "linear_extrude: its slices have %.3g faces, the most is %d; fewer slices "
+                        "(slices, $fn, $fa, $fs, twist) or corners make less",
+                        num, CSG_TWIST_MAX_FACES);
+    return is_refused;
+}
+
 /* OpenSCAD's mesh, also of circles. */
 static bool twist(struct csg_walk *walk, uint32_t node, const struct extrusion *extrusion,
                   struct csg_drawing *drawing, const double z[2], struct csg_part *part)
@@ -121,6 +134,8 @@ static bool twist(struct csg_walk *walk, uint32_t node, const struct extrusion *
     mesh.rounding = csg_drawing_rounding(drawing, 0, num) *
                     fmax(1, fmax(extrusion->scale[0], extrusion->scale[1]));
     enum csg_sweep_result result = csg_drawing_evaluate(drawing, 0);
+    if (result == CSG_SWEEP_DONE && refuse_twist(walk, node, &twist, drawing))
+        return true;
     if (result == CSG_SWEEP_DONE)
         result = csg_twist_fill(&mesh, drawing, &twist);
     part->is_too_large |= result == CSG_SWEEP_TOO_LARGE;

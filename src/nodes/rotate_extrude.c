@@ -12,8 +12,8 @@
 #include "plane/revolve_surface.h"
 #include "solids/facets.h"
 
-/* Turns with more segments are refused in as-written mode. */
-enum { max_segments = 65536 };
+/* Turns with more segments are refused in as-written mode, and OpenSCAD's meshes with more faces. */
+enum { max_segments = 65536, max_faces = 5000000 };
 
 /* From so many spans of the profile on its flat segments are drawn as a surface of triangles; each
  * span would be a ring of as many planes as the turn has segments. */
@@ -57,14 +57,27 @@ static void read_revolution(const struct csg_args *args, struct revolution *to)
 
 /* Segments of the turn: those of a circle as large as the profile. OpenSCAD 2021.01 leaves a part
  * of one out (GeometryEvaluator.cc), 2025, which always writes start, does not. */
-static int count_segments(const struct revolution *revolution)
+static double count_segments(const struct revolution *revolution)
 {
     const struct csg_profile *profile = &revolution->profile;
     const double radius = fmax(profile->hi, 0) - fmin(profile->lo, 0);
     const int all_round = csg_facets_count(&revolution->facets, radius);
     const double part = fmax(all_round * fabs(revolution->turn.angle) / 360, 1);
-    const double num = revolution->rounds_up ? ceil(part) : floor(part);
-    return num < max_segments ? (int)num : max_segments;
+    return revolution->rounds_up ? ceil(part) : floor(part);
+}
+
+/* Beyond max_faces in OpenSCAD's mesh, where that is what is to be drawn or asked for. */
+static bool refuse_turn(const struct revolution *revolution, double segments)
+{
+    const double num = 2 * segments * (double)revolution->drawing.points.num;
+    const bool is_refused = num > max_faces;
+    if (is_refused)
+        csg_walk_refuse(
+            revolution->walk, revolution->node,
+            "rotate_extrude: its %.0f segments have %.3g faces, the most is %d; a lower "
+            "$fn there or in the profile makes less",
+            segments, num, max_faces);
+    return is_refused;
 }
 
 /* Flat segments of a profile with many sides, as one surface; *taken: that is there. */
@@ -136,14 +149,19 @@ static bool revolve(struct revolution *revolution)
     }
     if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
         return true;
-    turn->num = count_segments(revolution);
+    const double segments = count_segments(revolution);
+    if (turn->facetted && refuse_turn(revolution, segments))
+        return true;
+    turn->num = segments < max_segments ? (int)segments : max_segments;
     /* A single segment is what lies between its two ends, on their near side. */
     if (turn->facetted && turn->num == 1 && fabs(turn->angle) > 180)
         turn->angle -= copysign(360, turn->angle);
     if (!take_hull(revolution) || (is_surface(revolution) && !add_surface(revolution, &taken)))
         return false;
-    return taken || csg_revolve(revolution->part, profile, turn, revolution->rounding) ||
-           no_memory(revolution);
+    const bool ok = taken || csg_revolve(revolution->part, profile, turn, revolution->rounding);
+    if (ok && revolution->part->is_too_large && refuse_turn(revolution, segments))
+        csg_part_finish(revolution->part);
+    return ok || no_memory(revolution);
 }
 
 /* What is turned; a drawing that is too large leaves nothing. false, with a message, when memory is

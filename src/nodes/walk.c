@@ -80,6 +80,17 @@ void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *form
     free(large);
 }
 
+void csg_walk_refuse(struct csg_walk *walk, uint32_t node, const char *format, ...)
+{
+    char small[CSG_LOG_SMALL];
+    va_list args;
+    va_start(args, format);
+    char *large = csg_log_format(small, format, args);
+    va_end(args);
+    csg_refuse(walk->builder, node, large ? large : small);
+    free(large);
+}
+
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
 {
     const struct csg_node_ops *ops = csg_walk_ops(walk, node);

@@ -52,6 +52,10 @@ void csg_warn_of_strange_names(const struct csg_args *args);
 void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
     CSG_PRINTF(3, 4);
 
+/* The same of what openscad could not make either: it is not asked. */
+void csg_walk_refuse(struct csg_walk *walk, uint32_t node, const char *format, ...)
+    CSG_PRINTF(3, 4);
+
 /* "file:line:column: node: text" */
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
     CSG_PRINTF(3, 4);

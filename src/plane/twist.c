@@ -204,6 +204,19 @@ static bool add_slices(struct csg_mesh *mesh, const struct csg_drawing *drawing,
     return ok;
 }
 
+static uint32_t count_corners(const struct csg_drawing *drawing, const struct csg_figure *figure)
+{
+    return figure->begin == figure->end ? 0
+                                        : drawing->contours.data[figure->end - 1].end -
+                                              drawing->contours.data[figure->begin].begin;
+}
+
+double csg_twist_num_faces(const struct csg_twist *twist, const struct csg_drawing *drawing)
+{
+    const struct csg_figure *figure = &drawing->figures.data[drawing->figures.num - 1];
+    return 2 * count_slices(twist, drawing, figure) * count_corners(drawing, figure);
+}
+
 enum csg_sweep_result csg_twist_fill(struct csg_mesh *mesh, const struct csg_drawing *drawing,
                                      const struct csg_twist *twist)
 {
@@ -213,11 +226,10 @@ enum csg_sweep_result csg_twist_fill(struct csg_mesh *mesh, const struct csg_dra
         return CSG_SWEEP_DONE;
     const uint32_t begin = drawing->contours.data[figure->begin].begin;
     const uint32_t end = drawing->contours.data[figure->end - 1].end;
-    const double slices = count_slices(twist, drawing, figure);
-    if (!(2 * slices * (end - begin) < CSG_TWIST_MAX_FACES) ||
+    if (!(csg_twist_num_faces(twist, drawing) <= CSG_TWIST_MAX_FACES) ||
         end - begin > CSG_TRIANGULATE_MAX_CORNERS)
         return CSG_SWEEP_TOO_LARGE;
-    const int num = (int)slices;
+    const int num = (int)count_slices(twist, drawing, figure);
     mesh->is_simple = fabs(twist->degrees) < MAX_STEP_DEGREES * num;
     bool ok = csg_figure_triangulate(drawing, figure, &caps) &&
               add_cap(mesh, &caps, begin, 0, true) &&

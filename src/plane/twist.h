@@ -17,8 +17,11 @@ struct csg_twist {
     struct csg_facets facets;
 };
 
-/* Meshes with more faces are refused. */
-#define CSG_TWIST_MAX_FACES 20000000
+/* Meshes with more faces are refused: they take 4 GB, and openscad as much. */
+#define CSG_TWIST_MAX_FACES 5000000
+
+/* How many faces the sides of the mesh over the last figure of the drawing have. */
+double csg_twist_num_faces(const struct csg_twist *twist, const struct csg_drawing *drawing);
 
 /* Adds the mesh over the last figure of the drawing, an outline of csg_drawing_evaluate. */
 enum csg_sweep_result csg_twist_fill(struct csg_mesh *mesh, const struct csg_drawing *drawing,

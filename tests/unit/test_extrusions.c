@@ -5,9 +5,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "check.h"
 #include "csgcast/csgcast.h"
+#include "messages.h"
 
 /* A star of so many corners is so many pieces. */
 enum { NUM_CORNERS = 80, NUM_PIECES = 52, MAX_TEXT = 1 << 18 };
@@ -81,6 +83,32 @@ static void check_drawing(int num, size_t num_leaves)
     csgcast_scene_destroy(scene);
 }
 
+/* What nobody can make is an error that says how much it is, without asking openscad; in an edit the
+ * scene stays. */
+static void check_refused(const char *node, const char *fine, const char *absurd, const char *said)
+{
+    char text[256];
+    struct messages messages = {0};
+    const struct csgcast_scene_params params = {.facets = CSGCAST_FACETS_AS_WRITTEN,
+                                                .openscad = "/nowhere/openscad",
+                                                .log = keep_message,
+                                                .log_user = &messages};
+    snprintf(text, sizeof text, node, absurd);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    CHECK(!scene && strstr(messages.last, said) && !strstr(messages.last, "nowhere"), "%s: %s",
+          text, messages.last);
+    csgcast_scene_destroy(scene);
+    snprintf(text, sizeof text, node, fine);
+    scene = csgcast_scene_parse(text, strlen(text), &params);
+    CHECK(scene && csgcast_scene_num_leaves(scene) == 1, "%s: %s", text, messages.last);
+    messages.last[0] = '\0';
+    const struct csgcast_edit edit = {.leaf = 0, .parameters = absurd};
+    CHECK(!csgcast_scene_edit(scene, &edit, 1) && strstr(messages.last, said), "%s to %s: %s", text,
+          absurd, messages.last);
+    CHECK(csgcast_scene_num_leaves(scene) == 1, "%s after a refused edit", text);
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     enum { NUM_ALONE = CSG_EXTRUDE_CROWD_PIECES / NUM_PIECES };
@@ -90,5 +118,13 @@ int main(void)
     check_edit();
     check_drawing(NUM_ALONE, (size_t)NUM_ALONE * NUM_PIECES);
     check_drawing(NUM_ALONE + 1, NUM_ALONE + 1);
+    check_refused("linear_extrude(%s) square(3);", "height = 5, twist = 90",
+                  "height = 5, twist = 1e9", "faces, the most is");
+    check_refused("linear_extrude(%s) square(3);", "height = 5, twist = 90, slices = 9",
+                  "height = 5, twist = 90, slices = 1e9", "8e+09 faces, the most is 5000000");
+    check_refused("linear_extrude(%s) square(3);", "height = 5, scale = [2, 1], $fn = 9",
+                  "height = 5, scale = [2, 1], $fn = 1e7", "faces, the most is");
+    check_refused("rotate_extrude(%s) translate([5, 0]) circle(r = 2, $fn = 8);", "$fn = 6",
+                  "$fn = 1e9", "its 1000000000 segments have 1.6e+10 faces");
     return num_failed != 0;
 }
