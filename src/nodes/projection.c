@@ -12,10 +12,14 @@
 #include "nodes/transforms.h"
 #include "plane/outline.h"
 #include "plane/wrap.h"
+#include "polyhedra/hull.h"
 
 /* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
 #define ON_PLANE 1e-12
 #define WIDER 1e-9
+
+/* Sets of more corners are asked face by face. */
+enum { MAX_PAIRED = 64 };
 
 /* Shadows of surfaces of more triangles are refused. */
 enum { max_triangles = 20000 };
@@ -46,7 +50,51 @@ static bool add_shadow(const struct projection *projection, const struct csg_vec
     return ok;
 }
 
+/* A convex set whose section is looked for. */
+struct section {
+    const struct projection *projection;
+    const struct csg_vec3 *corners;
+    double near; /* corners less far from z = 0 lie on it */
+    struct csg_flat_points *to;
+};
+
+static bool add_crossing(const struct section *section, struct csg_vec3 a, struct csg_vec3 b)
+{
+    const double t = -a.z / (b.z - a.z);
+    return a.z >= -section->near || b.z <= section->near ||
+           add_point(section->projection, section->to, csg_add(a, csg_scale(t, csg_sub(b, a))));
+}
+
 /* Any two corners on either side have a point of the section between them. */
+static bool add_crossings(void *user, const size_t *corners, size_t num)
+{
+    const struct section *section = user;
+    bool ok = true;
+    for (size_t i = 0; i < num && ok; i++)
+        for (size_t j = 0; j < num && ok; j++)
+            ok = add_crossing(section, section->corners[corners[i]], section->corners[corners[j]]);
+    return ok;
+}
+
+/* Pairs at one face are enough. All pairs are asked where corners are few, or have no hull. */
+static bool add_edges(struct section *section, size_t num)
+{
+    struct csg_points points = {0};
+    CSG_ARRAY(size_t) all = {0};
+    enum csg_hull_result result = CSG_HULL_FLAT;
+    bool ok = true;
+    for (size_t i = 0; i < num && ok; i++)
+        ok = csg_array_push(&points.points, csg_sub(section->corners[i], section->corners[0])) &&
+             csg_array_push(&all, i);
+    if (ok && num > MAX_PAIRED)
+        result = csg_hull_visit(&points, add_crossings, section);
+    if (ok && result != CSG_HULL_DONE && result != CSG_HULL_NO_MEMORY)
+        ok = add_crossings(section, all.data, num);
+    free(points.points.data);
+    free(all.data);
+    return ok && result != CSG_HULL_NO_MEMORY;
+}
+
 static bool add_section(const struct projection *projection, const struct csg_vec3 *corners,
                         size_t num, struct csg_flat_points *to)
 {
@@ -54,18 +102,11 @@ static bool add_section(const struct projection *projection, const struct csg_ve
     bool ok = true;
     for (size_t i = 0; i < num; i++)
         size = fmax(size, fabs(corners[i].z));
-    for (size_t i = 0; i < num && ok; i++) {
-        const struct csg_vec3 a = corners[i];
-        if (fabs(a.z) <= ON_PLANE * size)
-            ok = add_point(projection, to, a);
-        for (size_t j = 0; j < num && ok && a.z < -ON_PLANE * size; j++) {
-            const struct csg_vec3 b = corners[j];
-            const double t = -a.z / (b.z - a.z);
-            if (b.z > ON_PLANE * size)
-                ok = add_point(projection, to, csg_add(a, csg_scale(t, csg_sub(b, a))));
-        }
-    }
-    return ok;
+    struct section section = {projection, corners, ON_PLANE * size, to};
+    for (size_t i = 0; i < num && ok; i++)
+        if (fabs(corners[i].z) <= section.near)
+            ok = add_point(projection, to, corners[i]);
+    return ok && add_edges(&section, num);
 }
 
 static bool add_set(struct projection *projection, const struct csg_vec3 *corners, size_t num)

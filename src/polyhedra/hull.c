@@ -115,6 +115,34 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
     return result;
 }
 
+struct visit {
+    CSG_ARRAY(size_t) corners;
+    csg_hull_face_fn *fn;
+    void *user;
+};
+
+static bool visit_face(void *user, qhT *qh, const facetT *facet)
+{
+    struct visit *visit = user;
+    vertexT *vertex, **vertexp;
+    visit->corners.num = 0;
+    FOREACHvertex_(facet->vertices)
+    {
+        if (!csg_array_push(&visit->corners, (size_t)qh_pointid(qh, vertex->point)))
+            return false;
+    }
+    return visit->fn(visit->user, visit->corners.data, visit->corners.num);
+}
+
+enum csg_hull_result csg_hull_visit(const struct csg_points *points, csg_hull_face_fn *fn,
+                                    void *user)
+{
+    struct visit visit = {.fn = fn, .user = user};
+    const enum csg_hull_result result = run(points, visit_face, &visit);
+    free(visit.corners.data);
+    return result;
+}
+
 /* ---- corners ------------------------------------------------------------------------------ */
 
 struct dual {
@@ -202,6 +230,15 @@ enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_poi
 {
     (void)shape;
     (void)points;
+    return CSG_HULL_MISSING;
+}
+
+enum csg_hull_result csg_hull_visit(const struct csg_points *points, csg_hull_face_fn *fn,
+                                    void *user)
+{
+    (void)points;
+    (void)fn;
+    (void)user;
     return CSG_HULL_MISSING;
 }
 

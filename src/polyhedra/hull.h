@@ -25,6 +25,14 @@ enum csg_hull_result {
 /* Adds the hull's planes to shape, which is zeroed, and sets its bounds. */
 enum csg_hull_result csg_hull_fill(struct csg_shape *shape, const struct csg_points *points);
 
+/* Gets the corners of a face of a hull, in no order: num indices of its points. false: memory is
+ * out. */
+typedef bool csg_hull_face_fn(void *user, const size_t *corners, size_t num);
+
+/* Visits the faces of the points' hull; those on one plane are one. */
+enum csg_hull_result csg_hull_visit(const struct csg_points *points, csg_hull_face_fn *fn,
+                                    void *user);
+
 /*
  * Adds the corners of a convex shape without a quadric, or the points of a surface. A shape of many
  * planes needs Qhull and is refused without it.
