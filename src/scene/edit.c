@@ -167,9 +167,10 @@ static bool check_parameters(const struct session *session, const struct csgcast
 
 static bool add_compound(struct session *session, uint32_t first)
 {
-    for (size_t i = 0; i < session->compounds.num; i++)
-        if (session->compounds.data[i] == first)
-            return true;
+    struct csg_patch *patch = patch_of(session, first);
+    if (!patch || patch->is_read)
+        return patch != NULL;
+    patch->is_read = true;
     return csg_array_push(&session->compounds, first) || csg_log_memory(&session->scene->log);
 }
 

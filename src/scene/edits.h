@@ -45,6 +45,7 @@ struct csg_patch {
     struct csg_leaf leaf;
     struct csg_origin origin;
     bool has_all_digits; /* of the scene's text, see document/digits.h */
+    bool is_read;        /* the first leaf of a node that is read anew */
 };
 
 /* patch becomes a copy of the leaf as it is now. false: no memory. */

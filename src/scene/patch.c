@@ -116,7 +116,8 @@ void csg_patch_swap(struct csg_patch *patch, struct csgcast_scene *scene)
 {
     struct csg_leaf *leaf = &scene->leaves[patch->index];
     struct csg_origin *origin = &scene->edits->origins.data[patch->index];
-    const struct csg_patch before = {patch->index, *leaf, *origin, patch->has_all_digits};
+    const struct csg_patch before = {patch->index, *leaf, *origin, patch->has_all_digits,
+                                     patch->is_read};
     *leaf = patch->leaf;
     *origin = patch->origin;
     *patch = before;

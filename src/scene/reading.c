@@ -2,6 +2,7 @@
 #include "scene/reading.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "scene/load.h"
@@ -71,12 +72,24 @@ struct csg_node csg_reading_node(const struct csg_reading *reading, uint32_t i,
     return node;
 }
 
+static int compare_places(const void *a, const void *b)
+{
+    const struct csg_part_place *x = a, *y = b;
+    if (x->layer != y->layer)
+        return x->layer < y->layer ? -1 : 1;
+    return x->node < y->node ? -1 : x->node > y->node;
+}
+
+/* In the order of a tree nodes come as in the text. */
 static const struct csg_part_place *find_place(const struct csg_origins *origins, uint32_t node)
 {
-    size_t i = 0;
-    while (i < origins->places.num && origins->places.data[i].node != node)
-        i++;
-    return i < origins->places.num ? &origins->places.data[i] : NULL;
+    const struct csg_part_place *found = NULL;
+    for (uint8_t layer = 0; layer < CSG_NUM_LAYERS && origins->places.num > 0 && !found; layer++) {
+        const struct csg_part_place key = {.node = node, .layer = layer};
+        found =
+            bsearch(&key, origins->places.data, origins->places.num, sizeof key, compare_places);
+    }
+    return found;
 }
 
 static bool is_alike(const struct csg_reading *reading, const struct csg_edits *edits,
