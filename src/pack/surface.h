@@ -14,9 +14,11 @@
 #include "pack/screen.h"
 
 /* A corner: place in pixels, counted from the frame's reference pixel, and key. Behind the eye the
- * key is nan. */
+ * key is nan. By axis, with a margin: the first pixel whose centre is not before the corner, and
+ * the last one whose centre is not beyond it. */
 struct csg_view_point {
     double x, y, key;
+    int32_t first[2], last[2];
 };
 
 /* What a node of the hierarchy covers; empty where lo > hi. */

@@ -61,15 +61,6 @@ static bool is_thin(double (*polygon)[2], int num)
     return !(fabs(area) > THIN * longest);
 }
 
-struct csg_plane csg_view_face_carrier(const struct csg_surface_part *part, uint32_t triangle,
-                                       bool *flipped)
-{
-    const struct csg_surface_view *view = part->view;
-    return csg_carrier_of_face(part->terms->scene, view->leaf,
-                               view->surface->triangles.data[triangle].plane, &view->inverse,
-                               flipped);
-}
-
 /* The key along the longest side, the same across it; of a point, that of its middle. */
 static void fill_thin(const struct csg_view_point *corners[3], double plane[4])
 {
@@ -91,24 +82,28 @@ static void fill_thin(const struct csg_view_point *corners[3], double plane[4])
                       : a->key - plane[1] * a->x - plane[2] * a->y;
 }
 
-static void fill_plane(const struct csg_surface_part *part, struct csg_view_face *face, bool thin)
+struct csg_vec3 csg_view_face_fill_plane(struct csg_view_face *face,
+                                         const struct csg_surface_part *part)
 {
     const struct csg_frame *frame = part->terms->frame;
-    bool flipped;
-    const struct csg_plane plane = csg_view_face_carrier(part, face->triangle, &flipped);
-    csg_screen_plane(&frame->screen, frame->at, &plane, flipped, face->plane);
-    if (!thin)
-        return;
     const struct csg_surface_view *view = part->view;
-    const uint32_t *points = view->surface->triangles.data[face->triangle].points;
+    const struct csg_triangle *triangle = &view->surface->triangles.data[face->triangle];
+    bool flipped;
+    const struct csg_plane plane = csg_carrier_of_face(part->terms->scene, view->leaf,
+                                                       triangle->plane, &view->inverse, &flipped);
+    const struct csg_vec3 normal = csg_scale(flipped ? -1 : 1, plane.normal);
+    csg_screen_plane(&frame->screen, frame->at, &plane, flipped, face->plane);
+    if (!face->thin)
+        return normal;
     const struct csg_view_point *corners[3];
     double keys = 0;
     for (int i = 0; i < 3; i++) {
-        corners[i] = &view->points[points[i]];
+        corners[i] = &view->points[triangle->points[i]];
         keys += corners[i]->key;
     }
     if (!isnan(keys))
         fill_thin(corners, face->plane);
+    return normal;
 }
 
 bool csg_view_face_fill(struct csg_view_face *face, const struct csg_surface_part *part,
@@ -131,7 +126,7 @@ bool csg_view_face_fill(struct csg_view_face *face, const struct csg_surface_par
     }
     if (face->num_edges == 0 || hi < 0 || lo > part->size[0])
         return false;
-    fill_plane(part, face, is_thin(polygon, num));
+    face->thin = is_thin(polygon, num);
     face->left = lo;
     face->right = hi;
     face->first_row = first;

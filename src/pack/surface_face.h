@@ -24,21 +24,23 @@ struct csg_view_edge {
 };
 
 struct csg_view_face {
-    double plane[4];
+    double plane[4]; /* once csg_view_face_fill_plane was called */
     struct csg_view_edge edges[4];
     int num_edges;
+    bool thin;          /* too thin to be met by its plane */
     double left, right; /* pixels */
     int first_row, end_row;
     uint32_t normal; /* place in the record; 0 while no list has the face */
     uint32_t triangle;
 };
 
-/* The plane that the triangle lies on, as its leaf shares it with others. */
-struct csg_plane csg_view_face_carrier(const struct csg_surface_part *part, uint32_t triangle,
-                                       bool *flipped);
-
-/* false: it is not in the part. */
+/* All but the plane. false: it is not in the part. */
 bool csg_view_face_fill(struct csg_view_face *face, const struct csg_surface_part *part,
                         uint32_t triangle);
+
+/* The plane that the triangle lies on, as its leaf shares it with others: far from all else in
+ * memory, so it is asked for only what shows. Returns the normal out of the solid. */
+struct csg_vec3 csg_view_face_fill_plane(struct csg_view_face *face,
+                                         const struct csg_surface_part *part);
 
 #endif

@@ -14,6 +14,9 @@
 /* Part of a pixel by which rectangles grow: corners are rounded to float later. */
 #define RECT_MARGIN 1e-3
 
+/* Pixels that are farther from the reference pixel are none of the picture's. */
+#define FAR_PIXEL (1 << 30)
+
 /* Along the ray a carrier may lie off its face by this many times the rounding of the file. */
 #define SLACK_ROUNDINGS 16.0
 
@@ -73,14 +76,28 @@ struct csg_view_place csg_view_place_of(const struct csg_surface_view *view, str
                                    ask_row(&view->t, off)};
 }
 
+/* floor() is a call where processors need not have the instruction. */
+static int32_t whole_below(double x)
+{
+    const double near = csg_most(-FAR_PIXEL, csg_least(x, FAR_PIXEL));
+    const int32_t whole = (int32_t)near;
+    return whole - (whole > near);
+}
+
 static struct csg_view_point view_point(const struct csg_surface_view *view,
                                         const struct csg_screen *screen, struct csg_vec3 p)
 {
     const struct csg_view_place place = csg_view_place_of(view, p);
-    const double w = view->flat ? 1 : place.t;
+    const double w = view->flat ? 1 : place.t, x = place.x / w, y = place.y / w;
     if (!(place.t > view->tnear))
-        return (struct csg_view_point){NAN, NAN, NAN};
-    return (struct csg_view_point){place.x / w, place.y / w, csg_screen_key(screen, place.t)};
+        return (struct csg_view_point){
+            NAN, NAN, NAN, {-FAR_PIXEL, -FAR_PIXEL}, {FAR_PIXEL, FAR_PIXEL}};
+    return (struct csg_view_point){
+        x,
+        y,
+        csg_screen_key(screen, place.t),
+        {-whole_below(RECT_MARGIN + 0.5 - x), -whole_below(RECT_MARGIN + 0.5 - y)},
+        {whole_below(x + RECT_MARGIN - 0.5), whole_below(y + RECT_MARGIN - 0.5)}};
 }
 
 /* ---- triangles ---------------------------------------------------------------------------- */
@@ -124,6 +141,21 @@ static struct csg_view_node cut_triangle(const struct csg_view_point *points[3])
     return node.far > -INFINITY ? node : csg_view_nowhere;
 }
 
+/* Whether a pixel's centre is in the rectangle around the corners, or one is behind the eye. */
+static bool holds_pixel(const struct csg_view_point *p[3])
+{
+    for (int i = 0; i < 2; i++) {
+        int32_t first = p[0]->first[i], last = p[0]->last[i];
+        for (int j = 1; j < 3; j++) {
+            first = p[j]->first[i] < first ? p[j]->first[i] : first;
+            last = p[j]->last[i] > last ? p[j]->last[i] : last;
+        }
+        if (first > last)
+            return false;
+    }
+    return true;
+}
+
 static double least(double a, double b, double c)
 {
     const double ab = a < b ? a : b;
@@ -136,6 +168,8 @@ bool csg_view_triangle(const struct csg_surface_view *view, uint32_t triangle,
     const uint32_t *corners = view->surface->triangles.data[triangle].points;
     const struct csg_view_point *p[3] = {&view->points[corners[0]], &view->points[corners[1]],
                                          &view->points[corners[2]]};
+    if (!holds_pixel(p))
+        return false;
     if (isnan(p[0]->key + p[1]->key + p[2]->key)) {
         *node = cut_triangle(p);
         return node->near <= node->far;
@@ -144,8 +178,6 @@ bool csg_view_triangle(const struct csg_surface_view *view, uint32_t triangle,
     node->hi[0] = RECT_MARGIN - least(-p[0]->x, -p[1]->x, -p[2]->x);
     node->lo[1] = least(p[0]->y, p[1]->y, p[2]->y) - RECT_MARGIN;
     node->hi[1] = RECT_MARGIN - least(-p[0]->y, -p[1]->y, -p[2]->y);
-    if (!holds_center(node->lo, node->hi))
-        return false;
     node->near = least(p[0]->key, p[1]->key, p[2]->key);
     node->far = -least(-p[0]->key, -p[1]->key, -p[2]->key);
     return true;

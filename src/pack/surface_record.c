@@ -210,15 +210,12 @@ static bool choose_cells(struct record *record)
     return true;
 }
 
-static void put_normal(const struct record *record, const struct csg_view_face *face, bool negated,
-                       float mark, float *texel)
+static void put_normal(struct csg_vec3 normal, bool negated, float mark, float *texel)
 {
-    bool flipped;
-    const struct csg_plane plane = csg_view_face_carrier(&record->part, face->triangle, &flipped);
-    const double sign = flipped != negated ? -1 : 1;
-    texel[0] = (float)(sign * plane.normal.x);
-    texel[1] = (float)(sign * plane.normal.y);
-    texel[2] = (float)(sign * plane.normal.z);
+    const double sign = negated ? -1 : 1;
+    texel[0] = (float)(sign * normal.x);
+    texel[1] = (float)(sign * normal.y);
+    texel[2] = (float)(sign * normal.z);
     texel[3] = mark;
 }
 
@@ -274,7 +271,18 @@ static size_t put_lists(const struct record *record, struct cell *cells, float *
     return longest;
 }
 
-static bool put_record(const struct record *record, const struct csg_step *step)
+/* Planes and normals of the faces that are in lists. */
+static void put_faces(struct record *record, const struct csg_step *step, float mark, float *texels)
+{
+    for (size_t i = 0; i < record->faces.num; i++) {
+        struct csg_view_face *face = &record->faces.data[i];
+        if (face->normal)
+            put_normal(csg_view_face_fill_plane(face, &record->part),
+                       step->flags & CSG_RECORD_NEGATED, mark, texels + (size_t)4 * face->normal);
+    }
+}
+
+static bool put_record(struct record *record, const struct csg_step *step)
 {
     struct csg_frame *frame = record->part.terms->frame;
     const struct csg_leaf_terms *leaf = csg_terms_of(record->part.terms, step->leaf);
@@ -296,12 +304,7 @@ static bool put_record(const struct record *record, const struct csg_step *step)
     grid[1] = (float)record->part.lo[1];
     grid[2] = 1.0f / (float)record->cell;
     grid[3] = (float)record->columns;
-    for (size_t i = 0; i < record->faces.num; i++) {
-        const struct csg_view_face *face = &record->faces.data[i];
-        if (face->normal)
-            put_normal(record, face, step->flags & CSG_RECORD_NEGATED,
-                       (float)(leaf->attributes + 1), texels + (size_t)4 * face->normal);
-    }
+    put_faces(record, step, (float)(leaf->attributes + 1), texels);
     float *start = texels + 8;
     start[0] = (float)record->part.view->turns;
     start[1] = (float)put_lists(record, cells, texels, first);

@@ -126,6 +126,28 @@ static size_t check_pixel(const struct picture *picture, const struct csg_surfac
     return num;
 }
 
+static double least(double a, double b, double c)
+{
+    return fmin(a, fmin(b, c));
+}
+
+/* A listed triangle has a pixel's centre in the rectangle around it, but for a margin, or a corner
+ * behind the eye. */
+static void check_wanted(const struct csg_surface_view *view, uint32_t triangle)
+{
+    const double margin = 2e-3;
+    const uint32_t *corners = view->surface->triangles.data[triangle].points;
+    const struct csg_view_point *a = &view->points[corners[0]], *b = &view->points[corners[1]],
+                                *c = &view->points[corners[2]];
+    if (isnan(a->key + b->key + c->key))
+        return;
+    const double lo[2] = {least(a->x, b->x, c->x), least(a->y, b->y, c->y)};
+    const double hi[2] = {-least(-a->x, -b->x, -c->x), -least(-a->y, -b->y, -c->y)};
+    for (int i = 0; i < 2; i++)
+        CHECK(floor(hi[i] + margin - 0.5) >= lo[i] - margin - 0.5,
+              "triangle %u has no pixel between %g and %g", triangle, lo[i], hi[i]);
+}
+
 static size_t check_picture(const struct csg_shape *shape, const struct picture *picture)
 {
     struct csg_surface_views views = {0};
@@ -142,6 +164,8 @@ static size_t check_picture(const struct csg_shape *shape, const struct picture 
     CHECK(csg_surface_view_list(&views.data[0], &rect, &list), "memory");
     for (int i = 0; i < size * size; i++)
         num += check_pixel(picture, &views.data[0], &list, keys, i % size, i / size);
+    for (size_t i = 0; i < list.num; i++)
+        check_wanted(&views.data[0], list.data[i]);
     csg_surface_views_clear(&views);
     free(views.data);
     free(list.data);
