@@ -5,11 +5,17 @@
 #include <string.h>
 
 #include "carrier/carrier.h"
+#include "pack/apart.h"
+
+/* Of more precise objects in a place none is looked at by itself. */
+enum { MAX_KNOWN = 4 };
 
 /* What is known of the precise objects that have a face on one side of a carrier. */
 struct mark {
     uint32_t color;     /* of those faces */
     struct csg_box box; /* around the objects */
+    const struct csg_object *known[MAX_KNOWN];
+    int num; /* of the objects; MAX_KNOWN + 1: or more */
 };
 
 struct marks {
@@ -42,22 +48,44 @@ static bool contains(const struct csg_box *outer, const struct csg_box *inner)
     return memcmp(&both, outer, sizeof both) == 0;
 }
 
-static void mark_face(struct marks *marks, size_t slot, uint32_t color, const struct csg_box *box)
+static struct csg_box box_of(const struct marks *marks, const struct csg_object *object)
+{
+    return marks->far ? csg_box_all : object->box;
+}
+
+/* Adds the object to those of the mark. false: it is one of them. */
+static bool add_known(struct mark *mark, const struct csg_object *object)
+{
+    if (mark->num > MAX_KNOWN)
+        return false;
+    for (int i = 0; i < mark->num; i++)
+        if (mark->known[i] == object)
+            return false;
+    if (mark->num < MAX_KNOWN)
+        mark->known[mark->num] = object;
+    mark->num++;
+    return true;
+}
+
+static void mark_face(struct marks *marks, size_t slot, uint32_t color,
+                      const struct csg_object *object)
 {
     if (marks->places[slot] == 0) {
-        const struct mark first = {color, *box};
+        const struct mark first = {.color = color, .box = box_of(marks, object)};
         marks->failed |= !csg_array_push(marks, first);
         marks->places[slot] = marks->failed ? 0 : (uint32_t)marks->num;
-        marks->changed = true;
+    }
+    if (marks->failed)
         return;
-    }
-    struct mark *known = &marks->data[marks->places[slot] - 1];
-    if (known->color != color && known->color != MANY_COLORS) {
-        known->color = MANY_COLORS;
+    struct mark *mark = &marks->data[marks->places[slot] - 1];
+    marks->changed |= add_known(mark, object);
+    if (mark->color != color && mark->color != MANY_COLORS) {
+        mark->color = MANY_COLORS;
         marks->changed = true;
     }
-    if (!contains(&known->box, box)) {
-        known->box = csg_box_union(&known->box, box);
+    const struct csg_box box = box_of(marks, object);
+    if (!contains(&mark->box, &box)) {
+        mark->box = csg_box_union(&mark->box, &box);
         marks->changed = true;
     }
 }
@@ -65,26 +93,31 @@ static void mark_face(struct marks *marks, size_t slot, uint32_t color, const st
 /* Whether a face of another colour may be in the same place, where the first object in the file is
  * to win in every pixel. */
 static bool meets_mark(const struct marks *marks, size_t slot, uint32_t color,
-                       const struct csg_box *box)
+                       const struct csg_object *object)
 {
     if (marks->places[slot] == 0)
         return false;
-    const struct mark *known = &marks->data[marks->places[slot] - 1];
-    return known->color != color && csg_box_overlaps(&known->box, box);
+    const struct mark *mark = &marks->data[marks->places[slot] - 1];
+    const struct csg_box box = box_of(marks, object);
+    if (mark->color == color || !csg_box_overlaps(&mark->box, &box))
+        return false;
+    bool meets = mark->num > MAX_KNOWN;
+    for (int i = 0; i < mark->num && !meets; i++)
+        meets = !csg_objects_are_apart(marks->scene, mark->known[i], object);
+    return meets;
 }
 
 /* Visits a face: marks it, or tells whether it meets a mark. */
-static bool visit_face(struct marks *marks, size_t slot, uint32_t color, const struct csg_box *box,
-                       bool mark)
+static bool visit_face(struct marks *marks, size_t slot, uint32_t color,
+                       const struct csg_object *object, bool mark)
 {
     if (mark)
-        mark_face(marks, slot, color, box);
-    return !mark && meets_mark(marks, slot, color, box);
+        mark_face(marks, slot, color, object);
+    return !mark && meets_mark(marks, slot, color, object);
 }
 
 static bool visit(struct marks *marks, const struct csg_object *object, bool mark)
 {
-    const struct csg_box *box = marks->far ? &csg_box_all : &object->box;
     const struct csg_carriers *carriers = marks->scene->carriers;
     const struct csg_node *nodes = marks->scene->trees[object->layer].data;
     bool found = false;
@@ -98,13 +131,13 @@ static bool visit(struct marks *marks, const struct csg_object *object, bool mar
                      visit_face(marks,
                                 2 * (size_t)carriers->faces[j].carrier +
                                     (carriers->faces[j].flipped != nodes[i].negated),
-                                color, box, mark);
+                                color, object, mark);
         const struct csg_face face = carriers->quadric_faces[leaf];
         if (face.carrier != CSG_NO_CARRIER)
             found |= visit_face(marks,
                                 2 * (carriers->num_planes + face.carrier) +
                                     (face.flipped != nodes[i].negated),
-                                color, box, mark);
+                                color, object, mark);
     }
     return found;
 }

@@ -7,8 +7,8 @@
 #include "pack/frame.h"
 
 /* Fills frame->precisions: objects that float does not hold, and those that share a surface with
- * one, on the same side and in another colour: its crossings then have to be the same bits for
- * both. false: out of memory. */
+ * one, on the same side and in another colour, where they are not apart (pack/apart.h): its
+ * crossings then have to be the same bits for both. false: out of memory. */
 bool csg_frame_judge(struct csg_frame *frame, const struct csgcast_scene *scene,
                      const struct csg_frame_params *params, const struct csg_box *focus);
 

@@ -73,6 +73,21 @@ static const struct choice choices[] = {
      {5, 5, 0},
      2,
      "shares"},
+    /* what is beside it on the other side of a plane has no pixel in common with it */
+    {"linear_extrude(4) polygon([[0, 0], [10, 0], [10, 1e-4]]); color(\"red\") linear_extrude(4) "
+     "polygon([[0, 0], [10, 1e-4], [9, 5]]); color(\"green\") linear_extrude(4) "
+     "polygon([[0, 0], [9, 5], [5, 9]]);",
+     {40, 30, 20},
+     {5, 2, 0},
+     1,
+     "radians"},
+    {"linear_extrude(4) polygon([[0, 0], [10, 0], [10, 1e-4]]); color(\"red\") linear_extrude(4) "
+     "polygon([[0, 0], [10, -1e-4], [9, 5]]); color(\"green\") linear_extrude(4) "
+     "polygon([[0, 0], [9, 5], [5, 9]]);",
+     {40, 30, 20},
+     {5, 2, 0},
+     2,
+     "shares"},
     /* edges that are nearly flat, between faces on the same side, are no matter */
     {"intersection() { cube(10); rotate([0.001, 0, 0]) translate([-1, -1, -1]) cube([12, 12, 11]); "
      "}",
