@@ -10,20 +10,6 @@ void csg_clusters_finish(struct csg_clusters *clusters)
     *clusters = (struct csg_clusters){0};
 }
 
-static int compare_x(const void *a, const void *b)
-{
-    const struct csg_vec3 *p = a, *q = b;
-    return p->x < q->x ? -1 : p->x > q->x;
-}
-
-static bool has_corner(const struct csg_vec3 *corners, size_t num, struct csg_vec3 p, double near)
-{
-    for (size_t i = num; i > 0 && p.x - corners[i - 1].x <= near; i--)
-        if (csg_length(csg_sub(corners[i - 1], p)) <= near)
-            return true;
-    return false;
-}
-
 /* A point of two faces lies on an edge, where a cell that was joined to this one had a corner. What
  * is that much further off counts as on a face: a point that is kept in vain does no harm. */
 static bool is_corner(const struct csg_cell *cell, struct csg_vec3 p, double near)
@@ -55,10 +41,9 @@ bool csg_clusters_add_cell(struct csg_clusters *clusters, const struct csg_cell 
     struct csg_vec3 *corners = &clusters->corners.points.data[begin];
     const size_t num = clusters->corners.points.num - begin;
     size_t kept = 0;
-    if (num > 0)
-        qsort(corners, num, sizeof *corners, compare_x);
+    csg_corners_sort(corners, num);
     for (size_t i = 0; i < num; i++)
-        if (!has_corner(corners, kept, corners[i], near) &&
+        if (!csg_corners_have(corners, kept, corners[i], near) &&
             (is_thrice(&corners[i], num - i, near) || is_corner(cell, corners[i], near)))
             corners[kept++] = corners[i];
     clusters->corners.points.num = begin + kept;

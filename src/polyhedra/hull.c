@@ -258,14 +258,57 @@ static enum csg_hull_result dual_faces(const struct csg_shape *shape, struct csg
 
 #endif
 
+static int compare_x(const void *a, const void *b)
+{
+    const struct csg_vec3 *p = a, *q = b;
+    return p->x < q->x ? -1 : p->x > q->x;
+}
+
+void csg_corners_sort(struct csg_vec3 *corners, size_t num)
+{
+    if (num > 0)
+        qsort(corners, num, sizeof *corners, compare_x);
+}
+
+bool csg_corners_have(const struct csg_vec3 *corners, size_t num, struct csg_vec3 p, double near)
+{
+    for (size_t i = num; i > 0 && p.x - corners[i - 1].x <= near; i--)
+        if (csg_length(csg_sub(corners[i - 1], p)) <= near)
+            return true;
+    return false;
+}
+
+/* What counts as one place: some bits more than clipping loses. */
+static double near_of(const struct csg_shape *shape)
+{
+    const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
+    return 1e-12 * (csg_length(box.lo) + csg_length(box.hi));
+}
+
+/* Each of a cell's corners is in three faces or more. */
+static void keep_once(struct csg_points *points, size_t begin, double near)
+{
+    struct csg_vec3 *corners = points->points.data + begin;
+    const size_t num = points->points.num - begin;
+    size_t kept = 0;
+    csg_corners_sort(corners, num);
+    for (size_t i = 0; i < num; i++)
+        if (!csg_corners_have(corners, kept, corners[i], near))
+            corners[kept++] = corners[i];
+    points->points.num = begin + kept;
+}
+
 static enum csg_hull_result cut_corners(const struct csg_shape *shape, struct csg_points *points)
 {
+    const size_t begin = points->points.num;
     struct csg_cell cell = {0};
     bool ok = csg_cell_from_shape(&cell, shape);
     for (size_t i = 0; i < cell.faces.num && ok; i++)
         for (size_t j = 0; j < cell.faces.data[i].points.num && ok; j++)
             ok = csg_array_push(&points->points, cell.faces.data[i].points.data[j]);
     csg_cell_finish(&cell);
+    if (ok && points->points.num > begin)
+        keep_once(points, begin, near_of(shape));
     return ok ? CSG_HULL_DONE : CSG_HULL_NO_MEMORY;
 }
 
@@ -294,8 +337,7 @@ enum csg_hull_result csg_shape_corners(const struct csg_shape *shape, struct csg
 static bool add_faces(const struct csg_shape *shape, const struct csg_points *faces,
                       struct csg_cell *cell)
 {
-    const struct csg_box box = csg_box_map(&shape->frame, &shape->bounds);
-    const double near = 1e-12 * (csg_length(box.lo) + csg_length(box.hi));
+    const double near = near_of(shape);
     bool ok = true;
     for (size_t i = 0; i < shape->num_planes && ok; i++)
         ok = csg_cell_add_face(cell, &shape->planes[i], faces[i].points.data, faces[i].points.num,

@@ -33,6 +33,12 @@ typedef bool csg_hull_face_fn(void *user, const size_t *corners, size_t num);
 enum csg_hull_result csg_hull_visit(const struct csg_points *points, csg_hull_face_fn *fn,
                                     void *user);
 
+/* Puts corners in the order of x. */
+void csg_corners_sort(struct csg_vec3 *corners, size_t num);
+
+/* Whether one of the corners, which are in that order, is as near as that to p, behind them all. */
+bool csg_corners_have(const struct csg_vec3 *corners, size_t num, struct csg_vec3 p, double near);
+
 /*
  * Adds the corners of a convex shape without a quadric, or the points of a surface. A shape of many
  * planes needs Qhull and is refused without it.

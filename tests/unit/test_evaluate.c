@@ -3,7 +3,7 @@
  * A plate less a winding row of boxes as convex sets: a point is in one of them where it is in the
  * plate and in none of the boxes, never in two, and there are few sets, each with few corners. So
  * is what a row of wider boxes, which overlap each other, has of that, and a ball of many planes in
- * a box, in both orders, less a part of it.
+ * a box, in both orders, less a part of it. A solid by itself has each of its corners once.
  */
 #define DICE_SEED 5
 
@@ -187,8 +187,23 @@ static void check_ball(bool is_first)
     csg_part_finish(&part);
 }
 
+static void check_corners(void)
+{
+    struct csg_points points = {0};
+    for (int i = 0; i < 20; i++) {
+        const struct csg_map map = box_map(3.1 * i, 0.5);
+        struct csg_shape box = box_shape(&map);
+        points.points.num = 0;
+        CHECK(csg_shape_corners(&box, &points) == CSG_HULL_DONE, "corners");
+        CHECK(points.points.num == 8, "%zu corners of a box", points.points.num);
+        csg_shape_finish(&box);
+    }
+    free(points.points.data);
+}
+
 int main(void)
 {
+    check_corners();
     check_plate(false);
     check_plate(true);
     check_ball(true);
