@@ -79,6 +79,10 @@ static bool init_version(struct csg_gl_context *context, const char *where,
     gl->has_double =
         (major >= 4 || has_extension(gl, "GL_ARB_gpu_shader_fp64")) && !getenv("CSGCAST_NO_DOUBLE");
     gl->has_pack_invert = has_extension(gl, "GL_MESA_pack_invert");
+    if (has_extension(gl, "GL_ARB_base_instance"))
+        gl->DrawArraysInstancedBaseInstance =
+            (PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC)gl->platform->get_proc(
+                context, "glDrawArraysInstancedBaseInstance");
     return true;
 }
 

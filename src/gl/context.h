@@ -19,6 +19,7 @@ struct csg_gl {
     bool has_pack_invert; /* GL_MESA_pack_invert */
     bool is_llvmpipe;
     const struct csg_gl_platform *platform;
+    PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC DrawArraysInstancedBaseInstance; /* or NULL */
 #define CSG_GL_FUNCTION(type, name) type name;
 #include "gl/functions.def"
 #undef CSG_GL_FUNCTION

@@ -14,12 +14,22 @@ static void forget(struct csg_buffer *buffer)
     buffer->num_copied = 0;
 }
 
+/* llvmpipe compiles a program anew for a texture that is empty, or whose size is a power of two, or
+ * has zeros for its second byte, which Mesa 22.3.6 takes for a number of levels. No buffer is such:
+ * these bits are added. */
+enum { COMMON_BITS = 0x130 };
+
+static size_t common_size(size_t bytes)
+{
+    return (bytes & (bytes - 1)) && (bytes & 0xff00) ? bytes : bytes | COMMON_BITS;
+}
+
 /* Larger than asked for where it is kept: frames after edits need a little more or less. */
 static void grow(struct csg_gl *gl, GLenum target, struct csg_buffer *buffer, size_t bytes,
                  bool keeps)
 {
     forget(buffer);
-    buffer->bytes = keeps ? bytes + bytes / 8 : bytes;
+    buffer->bytes = common_size(keeps ? bytes + bytes / 8 : bytes);
     gl->BufferData(target, (GLsizeiptr)buffer->bytes, NULL, GL_STREAM_DRAW);
     buffer->copy = keeps ? malloc(buffer->bytes + 1) : NULL;
 }
@@ -57,7 +67,7 @@ size_t csg_buffer_fill(struct csg_gl *gl, GLenum target, struct csg_buffer *buff
                        const void *data, bool keeps)
 {
     gl->BindBuffer(target, buffer->id);
-    if (bytes > buffer->bytes || (keeps && !buffer->copy && bytes > 0))
+    if (bytes > buffer->bytes || buffer->bytes == 0 || (keeps && !buffer->copy && bytes > 0))
         grow(gl, target, buffer, bytes, keeps);
     if (keeps && buffer->copy)
         return fill_changed(gl, target, buffer, bytes, data);

@@ -65,7 +65,8 @@ void csg_inputs_use(const struct csg_picture *picture, GLuint program, uint8_t p
 }
 
 /* Points are vertices of their own, as drivers take these by the vector, but instances one by one.
- */
+ * Each way has an array of its own, which stays as it is: Mesa tells how far an array's attributes
+ * are apart in another way where it changes often, and compiles the vertex stage anew for that. */
 static void point_instances(struct csg_gl *gl, size_t first, bool points)
 {
     const size_t size = sizeof(struct csg_instance), base = first * size;
@@ -113,17 +114,51 @@ static void point_owned(struct csg_gl *gl, const struct csg_crowd_run *run)
     }
 }
 
-void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch)
+void csg_inputs_prepare(const struct csgcast_renderer *renderer)
+{
+    struct csg_gl *gl = renderer->gl;
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->instance_buffer.id);
+    gl->BindVertexArray(renderer->point_array);
+    point_instances(gl, 0, true);
+    gl->BindVertexArray(renderer->vertex_array);
+    point_instances(gl, 0, false);
+}
+
+static void draw_crowd(struct csg_gl *gl, const struct csgcast_renderer *renderer,
+                       const struct csg_batch *batch)
+{
+    gl->BindVertexArray(renderer->crowd_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->crowd_buffer.id);
+    if (batch->run->owned)
+        point_owned(gl, batch->run);
+    else
+        point_crowd(gl, batch->run);
+    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
+}
+
+static void draw_rectangles(struct csg_gl *gl, const struct csgcast_renderer *renderer,
+                            const struct csg_batch *batch)
+{
+    gl->BindVertexArray(renderer->vertex_array);
+    if (gl->DrawArraysInstancedBaseInstance) {
+        gl->DrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num,
+                                            batch->first);
+        return;
+    }
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->instance_buffer.id);
+    point_instances(gl, batch->first, false);
+    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
+}
+
+void csg_inputs_draw(const struct csg_picture *picture, const struct csg_batch *batch)
 {
     struct csg_gl *gl = picture->gl;
-    const struct csgcast_renderer *renderer = picture->renderer;
-    gl->BindVertexArray(batch->run ? renderer->crowd_array : renderer->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER,
-                   batch->run ? renderer->crowd_buffer.id : renderer->instance_buffer.id);
-    if (batch->run && batch->run->owned)
-        point_owned(gl, batch->run);
-    else if (batch->run)
-        point_crowd(gl, batch->run);
-    else
-        point_instances(gl, batch->first, batch->points);
+    if (batch->run) {
+        draw_crowd(gl, picture->renderer, batch);
+    } else if (batch->points) {
+        gl->BindVertexArray(picture->renderer->point_array);
+        gl->DrawArrays(GL_POINTS, (GLint)batch->first, (GLsizei)batch->num);
+    } else {
+        draw_rectangles(gl, picture->renderer, batch);
+    }
 }

@@ -13,6 +13,10 @@ void csg_inputs_set(const struct csg_picture *picture, GLuint program);
  * it repeats surfaces of those before it, it shall win. */
 void csg_inputs_use(const struct csg_picture *picture, GLuint program, uint8_t paint);
 
-void csg_inputs_bind(const struct csg_picture *picture, const struct csg_batch *batch);
+/* Once the renderer's buffers and arrays are there. */
+void csg_inputs_prepare(const struct csgcast_renderer *renderer);
+
+/* Draws the batch's instances with the program in use. */
+void csg_inputs_draw(const struct csg_picture *picture, const struct csg_batch *batch);
 
 #endif

@@ -32,16 +32,6 @@ static bool is_in_round(const struct csg_batch *batch, const struct round *round
            (round->object == CSG_ANY_OBJECT || batch->object == round->object);
 }
 
-static void draw_all_of(const struct csg_picture *picture, const struct csg_batch *batch)
-{
-    struct csg_gl *gl = picture->gl;
-    csg_inputs_bind(picture, batch);
-    if (batch->points)
-        gl->DrawArrays(GL_POINTS, 0, (GLsizei)batch->num);
-    else
-        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)batch->num);
-}
-
 /* Whether some of its rectangle is in the strip, or within a pixel of it. */
 static bool is_in_strip(const struct csg_picture *picture, const struct csg_draw *draw)
 {
@@ -60,7 +50,7 @@ static void draw_batch(const struct csg_picture *picture, const struct csg_batch
     const uint32_t end = batch->first + batch->num;
     struct csg_batch part = *batch;
     if (batch->run || picture->num_rows == picture->request->height) {
-        draw_all_of(picture, batch);
+        csg_inputs_draw(picture, batch);
         return;
     }
     for (uint32_t i = batch->first; i < end; i += part.num + 1) {
@@ -68,7 +58,7 @@ static void draw_batch(const struct csg_picture *picture, const struct csg_batch
         for (part.num = 0; i + part.num < end && is_in_strip(picture, &draws[order[i + part.num]]);)
             part.num++;
         if (part.num > 0)
-            draw_all_of(picture, &part);
+            csg_inputs_draw(picture, &part);
     }
 }
 

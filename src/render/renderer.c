@@ -68,6 +68,7 @@ static void finish_gl(struct csgcast_renderer *renderer)
         csg_buffer_finish(gl, &renderer->crowd_buffer);
         gl->DeleteVertexArrays(1, &renderer->crowd_array);
         gl->DeleteVertexArrays(1, &renderer->vertex_array);
+        gl->DeleteVertexArrays(1, &renderer->point_array);
         gl->DeleteVertexArrays(1, &renderer->empty_array);
         csg_gl_leave(gl);
     }

@@ -33,7 +33,7 @@ struct csgcast_renderer {
     struct csg_resident_cells cells;
     int num_threads; /* see csg_parallel */
     int tile_size;   /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
-    GLuint vertex_array, empty_array, crowd_array;
+    GLuint vertex_array, point_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;
     const struct csgcast_scene *thin_scene; /* an edited scene, and what is_thin said of it last */
     bool thin;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "common/clock.h"
+#include "render/inputs.h"
 
 static void ensure_buffers(struct csgcast_renderer *renderer)
 {
@@ -20,8 +21,10 @@ static void ensure_buffers(struct csgcast_renderer *renderer)
     gl->GenBuffers(1, &renderer->instance_buffer.id);
     gl->GenBuffers(1, &renderer->crowd_buffer.id);
     gl->GenVertexArrays(1, &renderer->vertex_array);
+    gl->GenVertexArrays(1, &renderer->point_array);
     gl->GenVertexArrays(1, &renderer->crowd_array);
     gl->GenVertexArrays(1, &renderer->empty_array);
+    csg_inputs_prepare(renderer);
 }
 
 static bool upload_data(struct csgcast_renderer *renderer, bool keeps)

@@ -3,8 +3,8 @@
 
 /*
  * Preloaded, makes the driver one that is not llvmpipe and allows no more than OpenGL 3.3 asks for:
- * points of one pixel, and so many components between the stages. A vertex stage with more of them
- * does not compile.
+ * points of one pixel, no base instance, and so many components between the stages. A vertex stage
+ * with more of them does not compile.
  */
 
 #include <dlfcn.h>
@@ -98,6 +98,8 @@ static proc narrow_proc(const char *name)
         memcpy(&real, &found, sizeof real);                                                        \
         return (proc)own;                                                                          \
     }
+    if (!strcmp(name, "glDrawArraysInstancedBaseInstance"))
+        return NULL;
     NARROW("glGetString", get_string, narrow_string)
     NARROW("glGetIntegerv", get_integers, narrow_integers)
     NARROW("glGetFloatv", get_floats, narrow_floats)
