@@ -24,6 +24,7 @@ enum csg_cli_command_bit {
     CSG_COMMAND_COMPARE = 16,
     CSG_COMMAND_REPORT = 32,
     CSG_COMMAND_CACHE = 64,
+    CSG_COMMAND_WARM = 128,
 };
 
 struct csg_cli_command {
@@ -40,6 +41,6 @@ struct csg_cli_command {
 };
 
 extern const struct csg_cli_command csg_command_render, csg_command_info, csg_command_export,
-    csg_command_compare, csg_command_bench, csg_command_cache, csg_command_report;
+    csg_command_compare, csg_command_bench, csg_command_cache, csg_command_report, csg_command_warm;
 
 #endif

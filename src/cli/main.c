@@ -21,7 +21,7 @@
 
 static const struct csg_cli_command *const commands[] = {
     &csg_command_render, &csg_command_info,   &csg_command_export, &csg_command_compare,
-    &csg_command_bench,  &csg_command_report, &csg_command_cache};
+    &csg_command_bench,  &csg_command_report, &csg_command_cache,  &csg_command_warm};
 
 #define NUM_COMMANDS (sizeof commands / sizeof *commands)
 #define MAX_SUGGESTION_DISTANCE 3

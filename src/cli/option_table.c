@@ -121,6 +121,7 @@ FLAG(set_help, help)
 #define DRAW (RENDER | INFO | BENCH | COMPARE) /* that render a frame */
 #define ALL (RENDER | INFO | EXPORT | BENCH | COMPARE)
 #define CACHE CSG_COMMAND_CACHE
+#define WARM CSG_COMMAND_WARM
 #define REPORT CSG_COMMAND_REPORT
 
 const struct csg_option csg_option_table[] = {
@@ -245,7 +246,7 @@ const struct csg_option csg_option_table[] = {
     {"cache-size", 0, REQUIRED, ALL | REPORT, "MIB",
      "its bound; default $CSGCAST_CACHE_SIZE or 256", csg_set_cache_size},
     {"clear", 0, NONE, CACHE, NULL, "remove all that is in the cache", set_clear},
-    {"backend", 0, REQUIRED, DRAW | REPORT, "NAME",
+    {"backend", 0, REQUIRED, DRAW | REPORT | WARM, "NAME",
      "auto (default), egl, osmesa, or reference: slow, without OpenGL", csg_set_backend},
     {"threads", 0, REQUIRED, DRAW, "N",
      "threads that read and draw, llvmpipe's too unless LP_NUM_THREADS says how\n"
@@ -274,8 +275,8 @@ const struct csg_option csg_option_table[] = {
     {"json", 0, NONE, INFO | COMPARE | BENCH | CACHE, NULL, "for machines", set_json},
     {"no-gl", 0, NONE, INFO, NULL, "only what the scene file tells, without rendering a frame",
      set_no_gl},
-    {"quiet", 'q', NONE, ALL | CACHE | REPORT, NULL, "print errors only", set_quiet},
-    {"help", 'h', NONE, ALL | CACHE | REPORT, NULL, "this text", set_help},
+    {"quiet", 'q', NONE, ALL | CACHE | REPORT | WARM, NULL, "print errors only", set_quiet},
+    {"help", 'h', NONE, ALL | CACHE | REPORT | WARM, NULL, "this text", set_help},
     {NULL, 0, NONE, 0, NULL, NULL, NULL},
 };
 

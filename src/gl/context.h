@@ -18,6 +18,9 @@ struct csg_gl {
     bool has_double;      /* GL_ARB_gpu_shader_fp64 or 4.0 */
     bool has_pack_invert; /* GL_MESA_pack_invert */
     bool is_llvmpipe;
+    /* Set by the owner: csg_gl_destroy ends all that the process has on the display, with which
+     * Mesa writes what it has compiled to its cache; else a thread does, when a core is idle. */
+    bool ends_display;
     const struct csg_gl_platform *platform;
     PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC DrawArraysInstancedBaseInstance; /* or NULL */
 #define CSG_GL_FUNCTION(type, name) type name;

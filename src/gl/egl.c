@@ -43,6 +43,8 @@ static void destroy(struct csg_gl_context *base)
     struct egl_context *context = (struct egl_context *)base;
     if (context->context != EGL_NO_CONTEXT)
         context->api.DestroyContext(context->display, context->context);
+    if (base->gl.ends_display)
+        context->api.Terminate(context->display);
     csg_egl_api_close(&context->api);
     free(context);
 }
@@ -50,7 +52,7 @@ static void destroy(struct csg_gl_context *base)
 /*
  * EGL has one display per device in a process, and eglTerminate would end the contexts that others
  * have on it, the embedding program's included. So a display stays initialised until the process
- * ends; a second eglInitialize of the same one does nothing.
+ * ends; a second eglInitialize of the same one does nothing. gl.ends_display says otherwise.
  */
 static bool init_display(const struct search *search, EGLDisplay display, const char *where)
 {

@@ -22,6 +22,7 @@ static bool load_core(struct csg_egl_api *api)
     ok &= csg_library_load(lib, "eglMakeCurrent", &api->MakeCurrent);
     ok &= csg_library_load(lib, "eglQueryAPI", &api->QueryAPI);
     ok &= csg_library_load(lib, "eglQueryString", &api->QueryString);
+    ok &= csg_library_load(lib, "eglTerminate", &api->Terminate);
     return ok;
 }
 

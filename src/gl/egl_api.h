@@ -27,6 +27,7 @@ struct csg_egl_api {
     PFNEGLMAKECURRENTPROC MakeCurrent;
     PFNEGLQUERYAPIPROC QueryAPI;
     PFNEGLQUERYSTRINGPROC QueryString;
+    PFNEGLTERMINATEPROC Terminate;
 
     /* Extensions of the client; NULL where missing. */
     PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay;

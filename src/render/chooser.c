@@ -235,7 +235,7 @@ static bool choose_rear(struct csg_chooser *chooser, const struct csg_draw *draw
 
 /* Five flat inputs are the object's, the screen's and the light; more than 27 others cost llvmpipe
  * more than they save. */
-static size_t max_handed(struct csg_gl *gl)
+size_t csg_max_handed(struct csg_gl *gl)
 {
     GLint components = 0;
     gl->GetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
@@ -280,7 +280,7 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
     chooser->renderer = renderer;
     chooser->request = request;
     chooser->direct = direct;
-    chooser->max_handed = max_handed(renderer->gl);
+    chooser->max_handed = csg_max_handed(renderer->gl);
     chooser->max_point = max_point(renderer->gl);
     for (int i = 0; i < CSG_NUM_CHAINS; i++)
         chooser->may_chain[i] = csg_chain_size(i, direct) <= chooser->max_handed &&

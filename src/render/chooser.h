@@ -18,6 +18,9 @@ struct csg_choice {
 
 struct csg_chooser;
 
+/* Flat inputs that programs may take for an object's texels. */
+size_t csg_max_handed(struct csg_gl *gl);
+
 /* NULL: out of memory. */
 struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
                                        const struct csg_request *request, bool direct);

@@ -15,7 +15,7 @@
 #define MAX_STRIP_PIXELS (4 << 20)
 #define PROGRESS_AFTER_MS 1000
 
-static void bind_textures(const struct csg_picture *picture)
+void csg_picture_bind_textures(const struct csg_picture *picture)
 {
     struct csg_gl *gl = picture->gl;
     gl->ActiveTexture(GL_TEXTURE0 + CSG_OWNERS_UNIT);
@@ -73,7 +73,7 @@ static bool draw_strips(struct csg_picture *picture)
     bool ok = (pixels || picture->bytes) && (picture->visible || !marks);
     if (!ok)
         csg_log_memory(&picture->renderer->log);
-    bind_textures(picture);
+    csg_picture_bind_textures(picture);
     double told = csg_clock_ms();
     for (int row = 0; row < request->height && ok; row += rows) {
         picture->first_row = row;
@@ -189,28 +189,4 @@ bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_requ
     csg_picture_count(&picture);
     csg_batches_finish(&picture.batches);
     return ok;
-}
-
-void csg_picture_warm_up(struct csgcast_renderer *renderer)
-{
-    const struct csg_request request = {
-        .scheme = csg_colorscheme_find(NULL), .width = 1, .height = 1, .resolver = -1};
-    struct csg_picture picture = {.renderer = renderer,
-                                  .gl = renderer->gl,
-                                  .request = &request,
-                                  .num_rows = 1,
-                                  .bytes = true,
-                                  .rect = {-1, -1, 1, 1}};
-    const struct csg_targets_use use = {.bytes = true};
-    if (!csg_gl_enter(renderer->gl))
-        return;
-    picture.shade = csg_programs_get(
-        &renderer->programs,
-        csg_source_shade(false, true, renderer->gl->is_llvmpipe ? CSG_FEATURE_SHARED : 0));
-    if (picture.shade && csg_upload_frame(renderer, &picture.batches, false) &&
-        csg_targets_resize(&renderer->targets, renderer->gl, 1, 1, &use)) {
-        csg_passes_draw_nothing(&picture);
-        renderer->gl->Finish();
-    }
-    csg_gl_leave(renderer->gl);
 }

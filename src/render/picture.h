@@ -25,6 +25,9 @@ static inline bool csg_batch_is_opaque(const struct csg_batch *batch)
     return !batch->translucent && batch->paint == CSG_LAYER_MODEL;
 }
 
+/* Binds what a frame's programs read. */
+void csg_picture_bind_textures(const struct csg_picture *picture);
+
 /* Draws the strip into the targets. */
 void csg_passes_draw_strip(const struct csg_picture *picture);
 

@@ -247,6 +247,18 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
     return ok;
 }
 
+bool csgcast_renderer_warm(struct csgcast_renderer *renderer)
+{
+    if (!renderer || !is_ready(renderer))
+        return false;
+    if (!renderer->gl)
+        return true;
+    if (!csg_gl_enter(renderer->gl))
+        return false;
+    const bool ok = csg_warm_programs(renderer);
+    return csg_gl_leave(renderer->gl) && ok;
+}
+
 void csgcast_renderer_get_stats(const struct csgcast_renderer *renderer,
                                 struct csgcast_stats *stats)
 {

@@ -64,7 +64,10 @@ struct csg_request {
 bool csg_picture_render(struct csgcast_renderer *renderer, const struct csg_request *request);
 
 /* Draws one pixel of nothing, so that the driver has made what every picture needs. */
-void csg_picture_warm_up(struct csgcast_renderer *renderer);
+void csg_warm_up(struct csgcast_renderer *renderer);
+
+/* csgcast_renderer_warm; the renderer's context is current. */
+bool csg_warm_programs(struct csgcast_renderer *renderer);
 
 /* Whether an object is drawn in one piece; user is the struct csg_request. */
 bool csg_draws_whole(size_t object, double area, const void *user);

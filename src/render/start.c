@@ -35,7 +35,7 @@ static void *run(void *user)
     renderer->programs.gl = renderer->gl;
     if (renderer->gl) {
         renderer->gl->log = csg_log_silent; /* what fails here fails again in a picture */
-        csg_picture_warm_up(renderer);
+        csg_warm_up(renderer);
         renderer->gl->log = renderer->log;
     }
     return NULL;

@@ -74,14 +74,16 @@ was_called "apt-get .*install"
 says "cc says no"
 
 # The tool gets the arguments as they are and runs where the caller is.
-stand_in tool <<<'printf "%s|" "$PWD" "$@"'
+stand_in tool <<<'[[ $1 == warm ]] && echo warmed >>"'"$work"'/calls"; printf "%s|" "$PWD" "$@"'
 stand_in cmake <<<"cp -f '$work/programs/tool' '$work/build/csgcast'"
 call 0 "the first call that works" render "a b.csg" -o ''
 was_called "cmake --build"
 prints "$work|render|a b.csg|-o||"
+was_called warmed
 call 0 "the second call" --version
 was_not_called dpkg-query
 was_not_called cmake
+was_not_called warmed
 touch -d '2001-01-01' build/.run-built
 call 0 "a source is newer than the build" --version
 was_called "cmake --build"

@@ -426,6 +426,16 @@ CSGCAST_API void csgcast_renderer_destroy(struct csgcast_renderer *renderer);
 CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *renderer);
 
 /*
+ * Draws nothing with each of the programs that pictures of most scenes take with the variant
+ * "shared". A driver that keeps what it compiles, as Mesa does on disk for each user, has them then
+ * in other processes as well. With llvmpipe some ten seconds, with a message each second; a tenth
+ * of that where they are there already. csgcast_renderer_destroy then ends the EGL display, for the
+ * driver to write all of it, and so every context that the process has on that: for processes of
+ * their own. false, with a message, on failure.
+ */
+CSGCAST_API bool csgcast_renderer_warm(struct csgcast_renderer *renderer);
+
+/*
  * The caller's buffers, row 0 on top, tightly packed; a NULL channel is not computed.
  * A pixel's ray goes through its centre. Where the eye is inside a solid, the first surface seen
  * is the one through which the ray leaves it.
