@@ -15,9 +15,6 @@ void main()
 {
     csg_hand_screen();
     csg_object = csg_records.xyz;
-#ifdef CSG_SHARED
-    csg_hand_spare();
-#endif
 #ifdef CSG_NUM_HANDED /* and csg_hand_over are put in front by src/shader */
     csg_hand_over(csg_records.x, csg_records.y);
 #endif

@@ -9,7 +9,6 @@ void main()
 {
 #ifdef CSG_SHARED
     csg_object = gl_VertexID + ivec3(1, 2, 3);
-    csg_hand_spare();
 #endif
     csg_hand_screen();
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);

@@ -159,7 +159,7 @@ static void add_vertex(struct csg_text *text, const struct csg_chain *chain)
     const size_t num = csg_chain_handed(chain);
     csg_text_add(text,
                  "#define CSG_NUM_HANDED %zu\nflat out vec4 csg_handed[CSG_NUM_HANDED];\n"
-                 "#define CSG_HAS_REST\nflat out int csg_rest;\n\n"
+                 "flat out int csg_rest;\n\n"
                  "void csg_hand_over(int begin, int end)\n{\n"
                  /* No vertex is below 0. The driver need not know that the first solid's place in
                   * the chain is 0: it would leave it out, and shared programs are to be alike. */
@@ -323,7 +323,7 @@ static void add_fragment(struct csg_text *text, const struct csg_chain *chain)
     csg_text_add(text,
                  "#define CSG_KNOWS_NORMALS\n"
                  "#define CSG_NUM_HANDED %zu\nflat in vec4 csg_handed[CSG_NUM_HANDED];\n"
-                 "#define CSG_HAS_REST\nflat in int csg_rest;\n\n"
+                 "flat in int csg_rest;\n\n"
                  "bool csg_resolve(ivec3 object, vec2 d, out float k, out ivec2 place,"
                  " out bool inside)\n{\n    inside = false;\n    place = ivec2(0);\n",
                  csg_chain_handed(chain));

@@ -238,26 +238,11 @@ static void add_visible(struct csg_text *fragment, bool direct, bool curved)
     add_file(fragment, "passes/visible.glsl");
 }
 
-/* The inputs that a shared program has instead of more texels. Behind them come csg_rest and
- * csg_object, in this order in all programs. */
-static void add_spare(struct csg_text *vertex, struct csg_text *fragment, int features,
-                      size_t num_handed)
-{
-    const size_t num = num_handed > 0 ? CSG_SHARED_HANDED : 0;
-    const size_t spare = num > num_handed ? num - num_handed : 0;
-    struct csg_text *texts[2] = {vertex, fragment};
-    for (int i = 0; i < 2 && features & CSG_FEATURE_SHARED; i++) {
-        csg_text_add(texts[i], "#define CSG_SHARED\n#define CSG_NUM_SPARE %zu\n", spare);
-        if (spare)
-            csg_text_add(texts[i], "flat %s vec4 csg_spare[CSG_NUM_SPARE];\n", i ? "in" : "out");
-    }
-}
-
 static void add_inputs(struct csg_text *vertex, struct csg_text *fragment, int features)
 {
     if (!(features & CSG_FEATURE_SHARED))
         return;
-    add_file(vertex, "common/inputs.vert.glsl");
+    define(vertex, fragment, "CSG_SHARED");
     add_file(fragment, "common/inputs.glsl");
 }
 
@@ -278,14 +263,12 @@ struct csg_stages csg_source_geometry(enum csg_resolver resolver, int features,
     struct csg_text vertex = {0}, fragment = {0};
     start_geometry(&vertex, &fragment, resolver, features);
     add_resolver(&fragment, resolver, features);
-    size_t num_handed = 0;
-    if (resolver == CSG_RESOLVER_CELLS) {
+    if (resolver == CSG_RESOLVER_CELLS)
         add_file(&vertex, "csg/walk.vert.glsl");
-        num_handed = CSG_WALK_HEADER;
-    }
     if (resolver == CSG_RESOLVER_STRAIGHT)
-        num_handed = csg_source_straight(&vertex, &fragment, structure, features, max_handed);
-    add_spare(&vertex, &fragment, features, num_handed);
+        csg_source_straight(&vertex, &fragment, structure, features, max_handed);
+    if (resolver == CSG_RESOLVER_CELLS || resolver == CSG_RESOLVER_STRAIGHT)
+        features &= ~CSG_FEATURE_SHARED;
     return finish_geometry(&vertex, &fragment, features);
 }
 
@@ -305,9 +288,8 @@ struct csg_stages csg_source_geometry_chain(int i, int features)
     add_file(&fragment, "csg/chain.glsl");
     if (chain.clauses)
         add_file(&fragment, "csg/clauses.glsl");
-    add_spare(&vertex, &fragment, features, csg_chain_handed(&chain));
     csg_source_chain(&vertex, &fragment, &chain);
-    return finish_geometry(&vertex, &fragment, features);
+    return finish_geometry(&vertex, &fragment, features & ~CSG_FEATURE_SHARED);
 }
 
 struct csg_stages csg_source_single(const struct csg_crowd_run *run, bool direct)
@@ -360,7 +342,6 @@ struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features
         add_file(&fragment, "solids/textbook.glsl");
     }
     add_file(&fragment, "common/light.glsl");
-    add_spare(&vertex, &fragment, features, 0);
     add_inputs(&vertex, &fragment, features);
     add_file(&vertex, "passes/shade.vert.glsl");
     add_file(&fragment, "passes/shade.frag.glsl");

@@ -45,7 +45,8 @@ enum csg_feature {
     /* All of a frame's programs or none: */
     CSG_FEATURE_TEXTBOOK = 256, /* crossings of textbooks */
     CSG_FEATURE_DIRECT = 512,   /* colours, instead of what the shading pass reads */
-    CSG_FEATURE_SHARED = 1024   /* the same flat inputs, see shaders/common/inputs.glsl */
+    /* The same flat inputs, see shaders/common/inputs.glsl; nothing where there are more: */
+    CSG_FEATURE_SHARED = 1024
 };
 
 /* Crossings that Algorithm 4's array holds; larger objects go to the loop. */
@@ -74,10 +75,6 @@ struct csg_chain csg_chain_of(int i, bool direct);
 /* Flat inputs that its programs take, and those of them in csg_handed. */
 size_t csg_chain_size(int i, bool direct);
 size_t csg_chain_handed(const struct csg_chain *chain);
-
-/* Shared programs have so many inputs for an object's texels, or none; so many are what
- * src/render/chooser.c allows on llvmpipe. */
-#define CSG_SHARED_HANDED 27
 
 /* Whether chain i has what is needed. The smallest ones come first. */
 bool csg_chain_fits(int i, const struct csg_chain_need *needed);
@@ -118,10 +115,9 @@ struct csg_stages csg_source_geometry_chain(int i, int features);
 /* The shading pass; features: TEXTBOOK and SHARED. */
 struct csg_stages csg_source_shade(bool want_leaf, bool want_bytes, int features);
 
-/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. Returns how many texels
- * are handed over. */
-size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
-                           const struct csg_structure *structure, int features, size_t max_handed);
+/* Straight-line code: csg_hand_over for the vertex stage, and csg_resolve. */
+void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+                         const struct csg_structure *structure, int features, size_t max_handed);
 
 /* The search for the first true point in what some solids have in common, vec2 whole, less holes:
  * spans that format and a number name. Returns false from csg_resolve where there is none. */

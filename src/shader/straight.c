@@ -339,8 +339,8 @@ static void add_change(struct csg_text *text, const struct csg_structure *struct
     csg_text_add(text, "    place = r0.place;\n    return true;\n}\n");
 }
 
-size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
-                           const struct csg_structure *structure, int features, size_t max_handed)
+void csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
+                         const struct csg_structure *structure, int features, size_t max_handed)
 {
     struct leaf_code *leaves = calloc(structure->num, sizeof *leaves);
     struct csg_text handing = {0}, code = {0};
@@ -372,5 +372,4 @@ size_t csg_source_straight(struct csg_text *vertex, struct csg_text *fragment,
     free(handing.data);
     free(code.data);
     free(leaves);
-    return parameters.num_handed;
 }
