@@ -52,27 +52,50 @@ bool csg_flats_sort(struct csg_flats *flats, struct csg_vec3 center)
     return true;
 }
 
+/* How far two leaves' boxes are apart, along an axis; 0: they have a point in common. */
+static double boxes_apart(const struct csg_box *both)
+{
+    const struct csg_vec3 gap = csg_sub(both->lo, both->hi);
+    return fmax(fmax(gap.x, gap.y), fmax(gap.z, 0));
+}
+
+/* Where faces of both leaves can be: what their boxes have in common, if the ball is not smaller. */
+static struct csg_ball common_ball(const struct csg_box *both, const struct csg_ball *ball)
+{
+    const double radius = 0.5 * csg_length(csg_sub(both->hi, both->lo));
+    return boxes_apart(both) == 0 && radius < ball->radius
+               ? (struct csg_ball){csg_box_middle(both), radius}
+               : *ball;
+}
+
 /*
  * Over a ball around the center, aligned planes at the angle a are between d - a r and d + a r
  * apart, with d their distance in the middle: they meet there, or leave a gap. Only where their
  * solids lie on different sides is that a wedge or a wall; else it is an edge so flat that either
- * side of it will do.
+ * side of it will do. Faces are no nearer than their leaves' boxes.
  */
-static void note_pair(struct csg_sharpness *sharp, const struct csg_flat *a,
-                      const struct csg_flat *b, double radius, double noise)
+static void note_pair(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                      const struct csg_flat *a, const struct csg_flat *b,
+                      const struct csg_ball *ball, double noise)
 {
     const bool same = csg_dot(a->normal, b->normal) >= 0;
     const double s = same ? 1 : -1;
     if (a->carrier == b->carrier || same == (a->turned == b->turned))
         return;
-    const double angle = csg_length(csg_sub(a->normal, csg_scale(s, b->normal)));
-    const double apart = fabs(a->height - s * b->height);
+    const struct csg_vec3 turn = csg_sub(a->normal, csg_scale(s, b->normal));
+    const double angle = csg_length(turn);
     if (angle > CSG_FINE_MAX_ANGLE)
         return;
-    if (apart <= angle * radius && angle > CSG_FINE_NOISE)
+    const struct csg_box both =
+        csg_box_intersection(&scene->leaves[a->leaf].box, &scene->leaves[b->leaf].box);
+    const struct csg_ball common = common_ball(&both, ball);
+    const double apart =
+        fabs(a->height - s * b->height - csg_dot(turn, csg_sub(common.center, ball->center)));
+    const double gap = fmax(apart - angle * common.radius, boxes_apart(&both));
+    if (gap <= 0 && angle > CSG_FINE_NOISE)
         csg_sharpness_note(sharp, CSG_FINE_ANGLE, angle, b->leaf);
-    else if (apart <= radius && apart - angle * radius > noise)
-        csg_sharpness_note(sharp, CSG_FINE_GAP, apart - angle * radius, b->leaf);
+    else if (gap <= ball->radius && gap > noise)
+        csg_sharpness_note(sharp, CSG_FINE_GAP, gap, b->leaf);
 }
 
 /* The least distance of the heights from own, of those above noise. */
@@ -99,17 +122,24 @@ static double nearest(const double *heights, size_t num, double own, double nois
 
 /* The plane i and those behind it up to end, which have its normal to the last bit, as in most
  * models most of the neighbours have: what note_pair finds, but no angle is asked. */
-static void note_parallel(struct csg_sharpness *sharp, const struct csg_flats *flats, size_t i,
-                          size_t end, double radius, double noise)
+static void note_parallel(struct csg_sharpness *sharp, const struct csgcast_scene *scene,
+                          const struct csg_flats *flats, size_t i, size_t end, double radius,
+                          double noise)
 {
     const struct csg_flat *own = &flats->sorted.data[i];
     const double *others = flats->sides[!own->turned].data;
     const double apart = nearest(others + i + 1, end - i - 1, own->height, noise);
     if (apart > radius || !(apart < sharp->least[CSG_FINE_GAP]))
         return;
-    while (fabs(others[++i] - own->height) != apart)
-        continue;
-    csg_sharpness_note(sharp, CSG_FINE_GAP, apart, flats->sorted.data[i].leaf);
+    for (size_t j = i + 1; j < end; j++) {
+        const double gap = fabs(others[j] - own->height);
+        if (!(gap > noise && gap < sharp->least[CSG_FINE_GAP]))
+            continue;
+        const uint32_t leaf = flats->sorted.data[j].leaf;
+        const struct csg_box both =
+            csg_box_intersection(&scene->leaves[own->leaf].box, &scene->leaves[leaf].box);
+        csg_sharpness_note(sharp, CSG_FINE_GAP, fmax(gap, boxes_apart(&both)), leaf);
+    }
 }
 
 static bool is_parallel(const struct csg_flat *a, const struct csg_flat *b)
@@ -117,8 +147,8 @@ static bool is_parallel(const struct csg_flat *a, const struct csg_flat *b)
     return a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z;
 }
 
-void csg_flats_note(const struct csg_flats *flats, size_t begin, size_t end,
-                    const struct csg_ball *ball, struct csg_sharpness *sharp)
+void csg_flats_note(const struct csg_flats *flats, const struct csgcast_scene *scene, size_t begin,
+                    size_t end, const struct csg_ball *ball, struct csg_sharpness *sharp)
 {
     const double noise = CSG_FINE_NOISE * (csg_length(ball->center) + ball->radius);
     const size_t num = flats->all.num;
@@ -127,13 +157,13 @@ void csg_flats_note(const struct csg_flats *flats, size_t begin, size_t end,
         const size_t last = num - i < CSG_FINE_NEIGHBOURS ? num : i + CSG_FINE_NEIGHBOURS;
         for (line = line > i ? line : i + 1; line < num && is_parallel(&sorted[i], &sorted[line]);)
             line++;
-        note_parallel(sharp, flats, i, line < last ? line : last, ball->radius, noise);
+        note_parallel(sharp, scene, flats, i, line < last ? line : last, ball->radius, noise);
         for (size_t j = line; j < last; j++) {
             if (fabs(flats->other_places.data[j] - sorted[i].other_place) >= 2 * CSG_FINE_MAX_ANGLE)
                 continue;
             if (sorted[j].place - sorted[i].place >= 2 * CSG_FINE_MAX_ANGLE)
                 break;
-            note_pair(sharp, &sorted[i], &sorted[j], ball->radius, noise);
+            note_pair(sharp, scene, &sorted[i], &sorted[j], ball, noise);
         }
     }
 }

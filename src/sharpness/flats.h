@@ -40,8 +40,8 @@ bool csg_flats_sort(struct csg_flats *flats, struct csg_vec3 center);
 
 /* Notes angles and gaps, over the ball, between those from begin to end and what follows them.
  * They are sorted, with heights above the ball's center. */
-void csg_flats_note(const struct csg_flats *flats, size_t begin, size_t end,
-                    const struct csg_ball *ball, struct csg_sharpness *sharp);
+void csg_flats_note(const struct csg_flats *flats, const struct csgcast_scene *scene, size_t begin,
+                    size_t end, const struct csg_ball *ball, struct csg_sharpness *sharp);
 
 void csg_flats_finish(struct csg_flats *flats);
 

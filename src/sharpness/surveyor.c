@@ -193,7 +193,7 @@ static void note_run(void *user, size_t run)
         noting->found[source][run] = csg_sharpness_blunt;
     note_leaves(noting, object->begin + num_nodes * run / NUM_RUNS,
                 object->begin + num_nodes * (run + 1) / NUM_RUNS, &noting->found[OF_LEAVES][run]);
-    csg_flats_note(&noting->surveyor->planes, num_planes * run / NUM_RUNS,
+    csg_flats_note(&noting->surveyor->planes, noting->scene, num_planes * run / NUM_RUNS,
                    num_planes * (run + 1) / NUM_RUNS, &noting->ball,
                    &noting->found[OF_PLANES][run]);
     csg_rounds_note(&noting->surveyor->quadrics, noting->scene, num_quadrics * run / NUM_RUNS,
@@ -255,7 +255,7 @@ bool csg_sharpness_note_one(struct csg_sharpness *sharp, const struct csgcast_sc
     const struct csg_ball ball = ball_of(object, &surveyor);
     ok = ok && csg_flats_sort(&surveyor.planes, ball.center);
     if (ok)
-        csg_flats_note(&surveyor.planes, 0, surveyor.planes.all.num, &ball, sharp);
+        csg_flats_note(&surveyor.planes, scene, 0, surveyor.planes.all.num, &ball, sharp);
     csg_surveyor_finish(&surveyor);
     return ok;
 }

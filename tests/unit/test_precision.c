@@ -37,6 +37,31 @@ static const struct choice choices[] = {
      1,
      "radius of curvature"},
     {"difference() { sphere(r = 10); sphere(r = 9.99999); }", {40, 30, 20}, {0, 0, 0}, 1, "apart"},
+    /* a pocket's floor and a hole's ceiling: a wall where they lie above each other */
+    {"difference() { cube([40, 10, 10]); translate([2, 2, 6]) cube([5, 5, 9]);"
+     " translate([3, 3, -1]) cube([5, 5, 6.99999]); }",
+     {80, 60, 40},
+     {20, 5, 5},
+     1,
+     "apart"},
+    {"difference() { cube([40, 10, 10]); translate([2, 2, 6]) cube([5, 5, 9]);"
+     " translate([30, 2, -1]) cube([5, 5, 6.99999]); }",
+     {80, 60, 40},
+     {20, 5, 5},
+     0,
+     ""},
+    {"difference() { cube([40, 10, 10]); translate([2, 2, 6]) cube([5, 5, 9]);"
+     " translate([5, 3, 6]) rotate([0, 0.001, 0]) translate([0, 0, -7]) cube([5, 5, 7]); }",
+     {80, 60, 40},
+     {20, 5, 5},
+     1,
+     "radians"},
+    {"difference() { cube([40, 10, 10]); translate([2, 2, 6]) cube([5, 5, 9]);"
+     " translate([30, 3, 6]) rotate([0, 0.001, 0]) translate([0, 0, -7]) cube([5, 5, 7]); }",
+     {80, 60, 40},
+     {20, 5, 5},
+     0,
+     ""},
     /* rings of a profile are thin where its corners are close; what counts is the profile */
     {"difference() { rotate_extrude($fn = 360) translate([50, 0]) circle(1, $fn = 360);"
      " cube(60); }",
