@@ -63,7 +63,21 @@ static int planes_tile_size(const struct csgcast_scene *scene, const struct csg_
     return num < VERY_MANY_PLANES ? PLANES_TILE_SIZE : PLANES_TILE_SIZE / 2;
 }
 
-static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task)
+/* Whether tiles without a stiff quadric of their own take programs that know none: where a program
+ * more is worth it. */
+static bool may_tell_stiff(const struct csg_tiler *tiler)
+{
+    return !tiler->terms->params->few_programs && !tiler->draw->precise;
+}
+
+static bool is_stiff(const struct csg_tiler *tiler, uint32_t leaf)
+{
+    const int code = csg_tiler_ranges(tiler, leaf)->code;
+    return code >= 0 && code & CSG_QUADRIC_STIFF;
+}
+
+static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_task *task,
+                       struct csg_draw *draw)
 {
     const struct csg_tile_box *box = csg_tiler_box(tiler);
     const struct csg_step *step = &tiler->scan.program.data[i];
@@ -84,6 +98,7 @@ static bool add_record(struct csg_tiler *tiler, size_t i, const struct csg_tile_
     const struct csg_record_filter filter = {
         tiler->planes.data,
         csg_range_has_quadric(csg_tiler_ranges(tiler, step->leaf), tiler->parts.at, range)};
+    draw->stiff |= filter.quadric && is_stiff(tiler, step->leaf);
     return csg_record_add(tiler->terms, step, &filter);
 }
 
@@ -107,16 +122,18 @@ static bool put_records(struct csg_tiler *tiler, const struct csg_tile_task *tas
     if (!task->flat && task->tree.num > 1)
         csg_clauses_mark(&tiler->scan.program, &task->tree);
     draw->instance.records[0] = (int32_t)(frame->texels.num / 4);
+    draw->stiff &= !may_tell_stiff(tiler);
     for (size_t i = 0; i < tiler->scan.program.num; i++) {
         const struct csg_step *step = &tiler->scan.program.data[i];
         const uint32_t flags = step->flags;
         const size_t at = frame->texels.num;
         draw->bands |= (flags & CSG_RECORD_BANDS) != 0;
         draw->surface |= (flags & (CSG_RECORD_SURFACE | CSG_RECORD_BANDS)) == CSG_RECORD_SURFACE;
-        if (!add_record(tiler, i, task))
+        if (!add_record(tiler, i, task, draw))
             return false;
         csg_chain_add(&chain, step, frame->texels.data + at);
     }
+    draw->stiff |= draw->bands && tiler->terms->stiff; /* their records all have one form */
     draw->chain = csg_chain_end(&chain);
     draw->surface_alone = is_surface_alone(tiler);
     draw->instance.records[1] = (int32_t)(frame->texels.num / 4);
@@ -149,13 +166,28 @@ static bool is_within(const struct csg_tile_task *task, int size)
 static bool may_chain(const struct csg_tiler *tiler)
 {
     const struct csg_draw *draw = tiler->draw;
-    return !tiler->fine && !tiler->terms->params->tile_size && !draw->around_eye && !draw->stiff &&
-           !draw->precise;
+    return !tiler->fine && !tiler->terms->params->tile_size && !draw->around_eye &&
+           !draw->precise && (!draw->stiff || may_tell_stiff(tiler));
 }
 
-static bool is_crowded(const struct csg_tiler *tiler, size_t num_leaves)
+/* Whether one of the leaves has a stiff quadric, which is for the loop. */
+static bool has_stiff(const struct csg_tiler *tiler, const struct csg_tree *tree)
 {
-    return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES;
+    const struct csgcast_scene *scene = tiler->terms->scene;
+    for (size_t i = 0; i < tree->num && tiler->draw->stiff; i++) {
+        const uint32_t leaf = tree->data[i].leaf;
+        if (tree->data[i].op == CSG_LEAF && leaf < scene->num_leaves &&
+            !scene->leaves[leaf].shape.surface && is_stiff(tiler, leaf))
+            return true;
+    }
+    return false;
+}
+
+static bool is_crowded(const struct csg_tiler *tiler, const struct csg_tile_task *task,
+                       size_t num_leaves)
+{
+    return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES &&
+           !has_stiff(tiler, &task->tree);
 }
 
 /* As small as tiles are cut for other reasons than planes. */
@@ -175,9 +207,9 @@ static bool may_cut_corner(const struct csg_tiler *tiler, const struct csg_tile_
 static bool has_many_planes(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                             const struct csg_draw *draw, size_t num_leaves)
 {
-    return may_chain(tiler) && draw->chain.planes > CSG_CHAIN_PLANES && draw->chain.slots == 0 &&
-           num_leaves <= CSG_CHAIN_LITERALS && !draw->surface && !draw->bands &&
-           (!is_small(task) || may_cut_corner(tiler, task)) &&
+    return may_chain(tiler) && !draw->stiff && draw->chain.planes > CSG_CHAIN_PLANES &&
+           draw->chain.slots == 0 && num_leaves <= CSG_CHAIN_LITERALS && !draw->surface &&
+           !draw->bands && (!is_small(task) || may_cut_corner(tiler, task)) &&
            planes_tile_size(tiler->terms->scene, &task->tree) == INT_MAX;
 }
 
@@ -186,7 +218,7 @@ static bool is_worth_cutting(const struct csg_tiler *tiler, const struct csg_til
 {
     const int few = !tiler->fine && task->flat && num_leaves <= FEW_LEAVES ? 2 : 1;
     const int tile =
-        is_crowded(tiler, num_leaves) ? csg_tile_size(tiler) / 2 : few * csg_tile_size(tiler);
+        is_crowded(tiler, task, num_leaves) ? csg_tile_size(tiler) / 2 : few * csg_tile_size(tiler);
     const bool smallest = is_within(task, tile);
     const bool stubborn = num_leaves > STUBBORN_LEAVES && task->before[1] > 0 &&
                           (double)num_leaves > STUBBORN_SHARE * (double)task->before[1];

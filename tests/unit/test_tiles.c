@@ -186,8 +186,9 @@ static bool draw_colors(struct csgcast_renderer *renderer, const char *text, int
 }
 
 /* A picture by a variant is that of the loop. resolvers: what the statistics begin with, up to the
- * first count. */
-static void check_variant(const char *text, int size, const char *variant, const char *resolvers)
+ * first count; more: others follow. */
+static void check_variant(const char *text, int size, const char *variant, const char *resolvers,
+                          bool more)
 {
     const size_t bytes = 4 * (size_t)size * (size_t)size;
     const struct csgcast_scene_params fixed = {.fixed = true};
@@ -203,7 +204,7 @@ static void check_variant(const char *text, int size, const char *variant, const
         csgcast_renderer_get_stats(renderer, &stats);
         const size_t length = strlen(resolvers);
         CHECK(strncmp(stats.variants, resolvers, length) == 0 &&
-                  !strchr(stats.variants + length, ','),
+                  !strchr(stats.variants + length, ',') == !more,
               "%s instead of %s", stats.variants, resolvers);
         view.variant = "loop";
         ok = csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = loop});
@@ -218,7 +219,7 @@ static void check_variant(const char *text, int size, const char *variant, const
 /* A picture alone, of few programs. */
 static void check_alone(const char *text, const char *resolvers)
 {
-    check_variant(text, 256, "shared", resolvers);
+    check_variant(text, 256, "shared", resolvers, false);
 }
 
 static const char five[] =
@@ -232,8 +233,21 @@ static const char five[] =
 /* A part of few solids is worth tiles where it covers many pixels. */
 static void check_few_solids(void)
 {
-    check_variant(five, 128, "auto", "straight 1");
-    check_variant(five, 512, "auto", "chain ");
+    check_variant(five, 128, "auto", "straight 1", false);
+    check_variant(five, 512, "auto", "chain ", false);
+}
+
+/* Rays along a cylinder make its quadric stiff: tiles without it are chains all the same. The
+ * cylinder points at the default camera. */
+static void check_stiff(void)
+{
+    check_variant("difference() { cube(size = [40, 40, 20], center = true);"
+                  "multmatrix([[0.906308, -0.242404, 0.346189, -8],"
+                  " [0.422618, 0.519836, -0.742404, 0], [0, 0.819152, 0.573576, 0], [0, 0, 0, 1]])"
+                  "cylinder(h = 60, r1 = 3, r2 = 3, center = true);"
+                  "multmatrix([[1, 0, 0, 10], [0, 1, 0, 5], [0, 0, 1, 0], [0, 0, 0, 1]])"
+                  "cylinder(h = 30, r1 = 3, r2 = 3, center = true); }",
+                  512, "auto", "chain ", true);
 }
 
 /* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
@@ -295,6 +309,7 @@ int main(void)
 {
     check_kept(&examples[0]);
     check_few_solids();
+    check_stiff();
     check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
