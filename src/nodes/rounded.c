@@ -214,7 +214,8 @@ static bool add_surfaces(struct csg_sets *sets, struct csg_part *part)
     return ok;
 }
 
-/* The union of the surfaces and of the sums of the convex sets and a ball about the origin. */
+/* The union of the surfaces and of the sums of the convex sets and a ball about the origin; not
+ * taken where these are too many solids, of which facets make fewer. */
 static enum csg_hull_result add_sums(struct csg_sets *sets, double radius, double rounding,
                                      struct csg_part *part, bool *taken)
 {
@@ -226,7 +227,8 @@ static enum csg_hull_result add_sums(struct csg_sets *sets, double radius, doubl
         return result;
     if (!csg_part_open(part, false) || !add_surfaces(sets, part))
         return CSG_HULL_NO_MEMORY;
-    for (size_t i = 0; i < convex->ends.num && *taken && result == CSG_HULL_DONE; i++) {
+    for (size_t i = 0;
+         i < convex->ends.num && *taken && !part->is_too_large && result == CSG_HULL_DONE; i++) {
         struct balls balls = {0};
         result = add_corners(&balls, &convex->corners.points.data[begin],
                              convex->ends.data[i] - begin, radius)
@@ -236,6 +238,7 @@ static enum csg_hull_result add_sums(struct csg_sets *sets, double radius, doubl
         free(balls.list.data);
     }
     csg_part_close(part);
+    *taken = *taken && !part->is_too_large;
     return result;
 }
 
