@@ -317,6 +317,13 @@ static bool are_most(const struct csgcast_scene *scene, const struct csg_before 
     return num > scene->num_leaves / MAX_PART;
 }
 
+/* Of objects that are the same as well everything would be made anew with the carriers, these
+ * included. */
+static struct csg_carriers *create(const struct csg_carrier_change *change, bool keeps)
+{
+    return change->before->objects ? NULL : csg_carriers_create(change->scene, keeps);
+}
+
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                        const struct csg_before *before)
 {
@@ -325,9 +332,9 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                         .builder = before->scene->carriers->kept,
                                         .is_same = before->objects != NULL};
     if (are_most(scene, before))
-        return csg_carriers_create(scene, false);
+        return create(&change, false);
     if (!change.builder)
-        return csg_carriers_create(scene, true);
+        return create(&change, true);
     change.wanted = calloc(scene->num_leaves + 1, sizeof *change.wanted);
     if (!change.wanted)
         return NULL;
@@ -340,7 +347,7 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
         carriers =
             (has_same_room(&change) || has_room(&change)) && csg_carrier_has_room_for_met(&change)
                 ? make(&change)
-                : csg_carriers_create(scene, true);
+                : create(&change, true);
     finish(&change);
     return carriers;
 }

@@ -28,7 +28,7 @@ struct csg_before {
 /*
  * The carriers of the scene, whose leaves and objects are those after the edit: the same as
  * csg_carriers_create makes, but for carriers' numbers. What was kept goes to them; where that does
- * not do they are created. NULL: out of memory.
+ * not do they are created, or, with before->objects, left to be. NULL: out of memory, or left.
  */
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                        const struct csg_before *before);

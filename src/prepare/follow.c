@@ -204,8 +204,6 @@ static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
         return false;
     *old = scene->carriers;
     scene->carriers = carriers;
-    if (!carriers->renewed) /* found anew, for all leaves */
-        return false;
     const bool has_shared = carriers->num_shared > 0;
     if (!find_kin(follow, carriers, &has_kin))
         return false;
