@@ -143,6 +143,19 @@ static bool add_solid(struct reader *reader, struct csg_shape *shape, bool negat
     return csg_walk_no_memory(reader->walk);
 }
 
+/* Faces of so many corners take hulls the square of their number in time. */
+static bool refuse_solid(struct reader *reader, uint32_t node, const struct csg_args *args)
+{
+    const double num = csg_args_number(args, "$fn", 0, NULL);
+    const bool is_refused = isfinite(num) && num > CSG_OPERAND_MAX_FRAGMENTS;
+    if (is_refused)
+        csg_walk_refuse(reader->walk, node,
+                        "%s: $fn = %g is more than the %d that solids in a hull, minkowski, resize "
+                        "or projection may have",
+                        args->node, num, CSG_OPERAND_MAX_FRAGMENTS);
+    return is_refused;
+}
+
 static bool read_solid(struct reader *reader, uint32_t node)
 {
     const struct csg_solid_ops *ops = csg_solids[reader->walk->builder->meanings[node].kind];
@@ -154,9 +167,11 @@ static bool read_solid(struct reader *reader, uint32_t node)
     const enum csg_read_result result = ops->read(&args, &shape);
     const bool is_bounded =
         csg_box_is_finite(&shape.bounds) && (!shape.has_quadric || reader->exact);
-    if (result == CSG_READ_OK && is_bounded)
+    const bool is_refused =
+        result == CSG_READ_OK && shape.facetted && refuse_solid(reader, node, &args);
+    if (result == CSG_READ_OK && is_bounded && !is_refused)
         return add_solid(reader, &shape, negated);
-    if (result == CSG_READ_OK && csg_space_place(&top_of(reader)->space, &shape))
+    if (result == CSG_READ_OK && !is_refused && csg_space_place(&top_of(reader)->space, &shape))
         csg_walk_unsupported(reader->walk, node,
                              "%s inside of hull or minkowski is not supported yet", ops->name);
     csg_shape_finish(&shape);

@@ -5,6 +5,9 @@
 #include "csg/part.h"
 #include "nodes/walk.h"
 
+/* Of a turn, a cylinder or a sphere that another node works on. */
+#define CSG_OPERAND_MAX_FRAGMENTS 10000
+
 /* Compounds inside of compounds: after so many levels the next ones get a stack of their own, so
  * that their number is limited by memory only. */
 #define CSG_PARTS_LEVELS_A_STACK 64

@@ -6,6 +6,7 @@
 #include "nodes/compounds.h"
 #include "nodes/drawings.h"
 #include "nodes/import.h"
+#include "nodes/parts.h"
 #include "nodes/polyhedron.h"
 #include "plane/hull.h"
 #include "plane/outline.h"
@@ -64,6 +65,17 @@ static double count_segments(const struct revolution *revolution)
     const int all_round = csg_facets_count(&revolution->facets, radius);
     const double part = fmax(all_round * fabs(revolution->turn.angle) / 360, 1);
     return revolution->rounds_up ? ceil(part) : floor(part);
+}
+
+static bool refuse_operand(const struct revolution *revolution, double segments)
+{
+    const bool is_refused = revolution->walk->is_operand && segments > CSG_OPERAND_MAX_FRAGMENTS;
+    if (is_refused)
+        csg_walk_refuse(revolution->walk, revolution->node,
+                        "rotate_extrude: it has %.0f segments, and %d are the most in a hull, "
+                        "minkowski, resize or projection; a lower $fn makes less",
+                        segments, CSG_OPERAND_MAX_FRAGMENTS);
+    return is_refused;
 }
 
 /* Beyond max_faces in OpenSCAD's mesh, where that is what is to be drawn or asked for. */
@@ -150,7 +162,8 @@ static bool revolve(struct revolution *revolution)
     if (!(profile->hi > profile->snap) && !(profile->lo < -profile->snap))
         return true;
     const double segments = count_segments(revolution);
-    if (turn->facetted && refuse_turn(revolution, segments))
+    if (turn->facetted &&
+        (refuse_operand(revolution, segments) || refuse_turn(revolution, segments)))
         return true;
     turn->num = segments < max_segments ? (int)segments : max_segments;
     /* A single segment is what lies between its two ends, on their near side. */

@@ -109,6 +109,18 @@ static void check_refused(const char *node, const char *fine, const char *absurd
     csgcast_scene_destroy(scene);
 }
 
+static void check_too_fine(const char *operand)
+{
+    char text[256];
+    struct messages messages = {0};
+    const struct csgcast_scene_params params = {.log = keep_message, .log_user = &messages};
+    snprintf(text, sizeof text, "hull() { %s cube(9); }", operand);
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
+    CHECK(!scene && strstr(messages.last, "<memory>:1:10:") && strstr(messages.last, "10000"),
+          "%s: %s", text, messages.last);
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     enum { NUM_ALONE = CSG_EXTRUDE_CROWD_PIECES / NUM_PIECES };
@@ -126,5 +138,7 @@ int main(void)
                   "height = 5, scale = [2, 1], $fn = 1e7", "faces, the most is");
     check_refused("rotate_extrude(%s) translate([5, 0]) circle(r = 2, $fn = 8);", "$fn = 6",
                   "$fn = 1e9", "its 1000000000 segments have 1.6e+10 faces");
+    check_too_fine("cylinder(h = 5, r = 3, $fn = 1e5);");
+    check_too_fine("rotate_extrude($fn = 1e5) translate([5, 0]) square(2);");
     return num_failed != 0;
 }
