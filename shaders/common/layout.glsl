@@ -29,9 +29,9 @@
  * the order of their records, are in one clause with it, a bit each; how many come before it where
  * several change at once; and whether the clauses are intersections.
  */
-#define CSG_RECORD_CLAUSE 2048 /* the first of CSG_CHAIN_LITERALS bits */
-#define CSG_RECORD_ORDER 65536 /* the first of three bits */
-#define CSG_RECORD_ANY 524288
+#define CSG_RECORD_CLAUSE 2048  /* the first of CSG_CLAUSE_LITERALS bits */
+#define CSG_RECORD_ORDER 262144 /* the first of three bits */
+#define CSG_RECORD_ANY 2097152
 
 /*
  * A surface's record has lists of faces by cell, a square of pixels; all places count from the
@@ -100,9 +100,10 @@
 #define CSG_QUADRIC_X_MINUS 32 /* ... - x'^2 */
 #define CSG_QUADRIC_STIFF 64   /* the last two texels count: crossings as c / q */
 
-/* Literals of a chain, and planes of either sense that each may have; more where there are few and
- * none has a quadric. */
+/* Literals of a chain, with quadrics in clauses, and planes of either sense that each may have; more
+ * where there are few and none has a quadric. */
 #define CSG_CHAIN_LITERALS 5
+#define CSG_CLAUSE_LITERALS 7
 #define CSG_CHAIN_PLANES 2
 #define CSG_CHAIN_FACETED_LITERALS 3
 #define CSG_CHAIN_FACETED_PLANES 4

@@ -14,14 +14,14 @@ bool csg_clause_negated(vec3 head)
 /* The literals that are in one clause with that of head. */
 int csg_clause_of(vec3 head)
 {
-    return int(head.x) / CSG_CHAIN_CLAUSE & ((1 << CSG_CHAIN_LITERALS) - 1);
+    return int(head.x) / CSG_CHAIN_CLAUSE & ((1 << CSG_CLAUSE_LITERALS) - 1);
 }
 
 /* All literals where the clauses are intersections: what holds is then to be complemented. */
 int csg_clause_flip(vec3 head)
 {
     int any = CSG_RECORD_ANY / CSG_RECORD_CLAUSE * CSG_CHAIN_CLAUSE;
-    return (int(head.x) & any) != 0 ? (1 << CSG_CHAIN_LITERALS) - 1 : 0;
+    return (int(head.x) & any) != 0 ? (1 << CSG_CLAUSE_LITERALS) - 1 : 0;
 }
 
 /* Smaller is preferred, of literals that change at once. */

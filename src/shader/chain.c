@@ -19,6 +19,7 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {5, 5, 2, .colors = true, .clauses = true},
     {3, 3, 2, .quadrics = true, .colors = true, .clauses = true},
     {5, 4, 2, .quadrics = true, .clauses = true},
+    {CSG_CLAUSE_LITERALS, 4, 2, .quadrics = true, .clauses = true},
 };
 
 /* A slot's numbers, the letter of a variable and what is taken of that: its planes e and x, its
@@ -284,7 +285,7 @@ static void add_changes(struct csg_text *text, const struct csg_chain *chain)
 
 static void add_search(struct csg_text *text, const struct csg_chain *chain)
 {
-    static const size_t slots[] = {1, 2, 3, 4};
+    static const size_t slots[] = {1, 2, 3, 4, 5, 6};
     csg_text_add_passing(text, "o%zu", slots, (size_t)chain->slots - 1);
 }
 

@@ -42,7 +42,8 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
     if (finder->broken || (need->clauses && flags & CSG_RECORD_POP))
         return;
     const int planes = finder->faceted ? CSG_CHAIN_FACETED_PLANES : CSG_CHAIN_PLANES;
-    finder->broken = need->slots == CSG_CHAIN_LITERALS || !fits_slot(head, planes) ||
+    const int most_slots = need->clauses ? CSG_CLAUSE_LITERALS : CSG_CHAIN_LITERALS;
+    finder->broken = need->slots == most_slots || !fits_slot(head, planes) ||
                      (!need->clauses && !is_link(finder, step));
     finder->rank = csg_step_rank(step);
     need->flat |= need->slots == 0 && !(flags & CSG_RECORD_QUADRIC);
@@ -50,9 +51,11 @@ void csg_chain_add(struct csg_chain_finder *finder, const struct csg_step *step,
     need->slots++;
 }
 
-/* Whether there is a program for that many planes. */
+/* Whether there is a program for that many literals and planes. */
 static bool has_program(const struct csg_chain_need *need)
 {
+    if (need->slots > CSG_CHAIN_LITERALS && !need->quadrics)
+        return false;
     return need->planes <= CSG_CHAIN_PLANES ||
            (need->slots <= CSG_CHAIN_FACETED_LITERALS && !need->quadrics && !need->clauses);
 }

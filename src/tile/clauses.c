@@ -6,7 +6,7 @@ struct literals {
     struct literal {
         struct csg_step *step;
         uint32_t clause; /* bits of literals */
-    } data[CSG_CHAIN_LITERALS];
+    } data[CSG_CLAUSE_LITERALS];
     size_t num;
 };
 
@@ -15,7 +15,7 @@ static bool list_literals(struct csg_program *program, struct literals *literals
     for (size_t i = 0; i < program->num; i++) {
         if (program->data[i].flags & CSG_RECORD_POP)
             continue;
-        if (literals->num == CSG_CHAIN_LITERALS)
+        if (literals->num == CSG_CLAUSE_LITERALS)
             return false;
         literals->data[literals->num++] = (struct literal){&program->data[i], 0};
     }
@@ -76,7 +76,7 @@ void csg_clauses_mark(struct csg_program *program, const struct csg_tree *tree)
     struct literals literals = {.num = 0};
     if (!list_literals(program, &literals) || !find_clauses(&literals, tree))
         return;
-    uint32_t marks[CSG_CHAIN_LITERALS];
+    uint32_t marks[CSG_CLAUSE_LITERALS];
     for (size_t i = 0; i < literals.num; i++)
         marks[i] = CSG_RECORD_CLAUSE * literals.data[i].clause +
                    CSG_RECORD_ORDER * order_of(&literals, i) +

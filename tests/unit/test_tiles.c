@@ -250,6 +250,19 @@ static void check_stiff(void)
                   512, "auto", "chain ", true);
 }
 
+/* Three intersections that cross each other, taken from a cube: seven literals in four clauses. */
+static void check_clauses(void)
+{
+    static const char *const bites =
+        "multmatrix([[1, 0, 0, %d], [0, 0, -1, %d], [0, 1, 0, 10], [0, 0, 0, 1]])"
+        "intersection() { sphere(r = %g); cylinder(h = 20, r1 = 3, r2 = 3, center = true); }";
+    char text[1024] = "difference() { cube(size = [20, 20, 20], center = true);";
+    for (int i = 0; i < 3; i++)
+        sprintf(text + strlen(text), bites, 2 * i - 2, i % 2, 4 + 0.3 * i);
+    strcat(text, "}");
+    check_variant(text, 512, "auto", "chain ", false);
+}
+
 /* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
  */
 static void check_few_programs(void)
@@ -310,6 +323,7 @@ int main(void)
     check_kept(&examples[0]);
     check_few_solids();
     check_stiff();
+    check_clauses();
     check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
