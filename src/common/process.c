@@ -109,12 +109,8 @@ uint64_t csg_process_memory(const struct csg_process_bounds *bounds)
     return pages > 0 && size > 0 ? (uint64_t)pages / 2 * (uint64_t)size : UINT64_MAX;
 }
 
-/* Our own limit, or less. */
-static struct rlimit make_limit(int resource, uint64_t most)
+static struct rlimit lowered(struct rlimit limit, uint64_t most)
 {
-    struct rlimit limit;
-    if (getrlimit(resource, &limit))
-        limit = (struct rlimit){RLIM_INFINITY, RLIM_INFINITY};
     if (most < limit.rlim_cur)
         limit.rlim_cur = most;
     return limit;
@@ -126,7 +122,10 @@ int csg_process_start(struct csg_process *process, char *const *argv, const char
 {
     const uint64_t memory = bounds ? csg_process_memory(bounds) : UINT64_MAX;
     const uint64_t seconds = bounds && bounds->seconds > 0 ? bounds->seconds : UINT64_MAX;
+    struct rlimit own_memory = {RLIM_INFINITY, RLIM_INFINITY}, own_seconds = own_memory;
     int ends[2];
+    getrlimit(RLIMIT_DATA, &own_memory);
+    getrlimit(RLIMIT_CPU, &own_seconds);
     *process = (struct csg_process){.pipe = -1};
     if (pipe(ends) != 0)
         return errno;
@@ -136,8 +135,8 @@ int csg_process_start(struct csg_process *process, char *const *argv, const char
                               .environment = environment ? environment : environ,
                               .input = input,
                               .directory = directory,
-                              .memory = make_limit(RLIMIT_DATA, memory),
-                              .seconds = make_limit(RLIMIT_CPU, seconds),
+                              .memory = lowered(own_memory, memory),
+                              .seconds = lowered(own_seconds, seconds),
                               .output = ends[1],
                               .parent = getpid()};
     const int error = spawn(process, &program);
