@@ -69,26 +69,31 @@ bool csg_walk_args(struct csg_walk *walk, uint32_t node, const char *name, const
     return true;
 }
 
-void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
+/* Leaves the node out, in one of the two ways, for that reason. */
+static void leave_out(struct csg_walk *walk, uint32_t node,
+                      void (*way)(struct csg_builder *, uint32_t, const char *), const char *format,
+                      va_list args)
 {
     char small[CSG_LOG_SMALL];
+    char *large = csg_log_format(small, format, args);
+    way(walk->builder, node, large ? large : small);
+    free(large);
+}
+
+void csg_walk_unsupported(struct csg_walk *walk, uint32_t node, const char *format, ...)
+{
     va_list args;
     va_start(args, format);
-    char *large = csg_log_format(small, format, args);
+    leave_out(walk, node, csg_unsupported, format, args);
     va_end(args);
-    csg_unsupported(walk->builder, node, large ? large : small);
-    free(large);
 }
 
 void csg_walk_refuse(struct csg_walk *walk, uint32_t node, const char *format, ...)
 {
-    char small[CSG_LOG_SMALL];
     va_list args;
     va_start(args, format);
-    char *large = csg_log_format(small, format, args);
+    leave_out(walk, node, csg_refuse, format, args);
     va_end(args);
-    csg_refuse(walk->builder, node, large ? large : small);
-    free(large);
 }
 
 void csg_walk_warning(struct csg_walk *walk, uint32_t node, const char *format, ...)
