@@ -2,9 +2,11 @@
 /*
  * Faces that bound no volume. A face and the same one the other way round take each other back, and
  * of a polyhedron whose corners lie on one plane the faces of one side are all there is to see.
+ * Those within the solid are left out: they are walls between its parts, which nobody outside sees.
  */
 #include <stdlib.h>
 
+#include "mesh/surface.h"
 #include "polyhedra/mesh.h"
 
 /* A face by its corners from the lowest one on, towards the lower of its neighbours. */
@@ -59,28 +61,57 @@ static bool copy_face(const struct csg_mesh *mesh, uint32_t face, struct csg_mes
     return ok && csg_mesh_close_face(films);
 }
 
+/* A point of a fan's triangle, whose area is not 0, is this share of its size above its plane. */
+#define ABOVE 1e-6
+
+/* Whether the solid is on both sides of the middles of all the face's triangles. */
+static bool is_within(const struct csg_mesh *mesh, const struct csg_surface *solid, uint32_t face)
+{
+    const struct csg_mesh_face *f = &mesh->faces.data[face];
+    const struct csg_vec3 *points = mesh->points.data;
+    const uint32_t *corners = mesh->corners.data;
+    for (uint32_t i = f->begin + 1; i + 1 < f->end; i++) {
+        const struct csg_vec3 a = points[corners[f->begin]];
+        const struct csg_vec3 b = csg_sub(points[corners[i]], a);
+        const struct csg_vec3 c = csg_sub(points[corners[i + 1]], a);
+        const struct csg_vec3 middle = csg_add(a, csg_scale(1.0 / 3, csg_add(b, c)));
+        const struct csg_vec3 normal = csg_normalize(csg_cross(b, c));
+        const struct csg_vec3 up = csg_scale(ABOVE * fmin(csg_length(b), csg_length(c)), normal);
+        if (csg_length(up) > 0 &&
+            (!csg_surface_winding(solid, &csg_map_identity, csg_add(middle, up)) ||
+             !csg_surface_winding(solid, &csg_map_identity, csg_sub(middle, up))))
+            return false;
+    }
+    return true;
+}
+
 /* One face of each run of equal loops of which as many run one way as the other. */
-static bool copy_pairs(const struct csg_mesh *mesh, const struct loop *loops,
-                       struct csg_mesh *films)
+static bool copy_pairs(const struct csg_mesh *mesh, const struct csg_surface *solid,
+                       const struct loop *loops, struct csg_mesh *films)
 {
     bool ok = true;
     for (size_t i = 0, j; i < mesh->faces.num && ok; i = j) {
         long turns = 0;
         for (j = i; j < mesh->faces.num && compare_loops(&loops[i], &loops[j]) == 0; j++)
             turns += loops[j].is_backwards ? -1 : 1;
-        ok = turns != 0 || copy_face(mesh, loops[i].face, films);
+        ok = turns != 0 || is_within(mesh, solid, loops[i].face) ||
+             copy_face(mesh, loops[i].face, films);
     }
     return ok;
 }
 
 static bool add_pairs(const struct csg_mesh *mesh, struct csg_mesh *films)
 {
+    struct csg_shape solid = {0};
     struct loop *loops = malloc(mesh->faces.num * sizeof *loops);
     for (uint32_t i = 0; loops && i < mesh->faces.num; i++)
         loops[i] = loop_of(mesh, i);
     if (loops)
         qsort(loops, mesh->faces.num, sizeof *loops, compare_loops);
-    const bool ok = loops && copy_pairs(mesh, loops, films);
+    const bool ok = loops && csg_mesh_to_shape(mesh, false, &solid) &&
+                    csg_surface_build(solid.surface) &&
+                    copy_pairs(mesh, solid.surface, loops, films);
+    csg_shape_finish(&solid);
     free(loops);
     return ok;
 }

@@ -59,7 +59,7 @@ struct csg_mesh_gaps {
 bool csg_mesh_orient(struct csg_mesh *mesh, struct csg_mesh_gaps *gaps);
 
 /* Adds to films, which is zeroed, the faces of a closed mesh that bound no volume, one for each two
- * that take each other back. false: out of memory. */
+ * that take each other back, but for those within the solid. false: out of memory. */
 bool csg_mesh_films(const struct csg_mesh *mesh, const struct csg_mesh_gaps *gaps,
                     struct csg_mesh *films);
 

@@ -49,15 +49,16 @@ static const char pits[] =
     "[4,5,9,8],[5,6,10,9],[6,7,11,10],[7,4,8,11],[8,9,10,11],"
     "[1,0,8,9],[2,1,9,10],[3,2,10,11],[0,3,11,8],[11,10,9,8]]);";
 
-/* The distance from an eye at z = 100 down to what is at x and y. */
-static void test_depth(enum csgcast_backend backend, const char *text, double x, double y, float z)
+/* The distance from an eye down to what is at x and y. */
+static void test_depth_from(enum csgcast_backend backend, const char *text, double x, double y,
+                            double eye, float z)
 {
     const struct csgcast_scene_params params = {.log = silent, .facets = CSGCAST_FACETS_AS_WRITTEN};
     const struct csgcast_renderer_params renderer_params = {.backend = backend};
     const struct csgcast_view view = {
         .width = 1,
         .height = 1,
-        .camera = {.kind = CSGCAST_CAMERA_VECTOR, .eye = {x, y, 100}, .center = {x, y, 0}}};
+        .camera = {.kind = CSGCAST_CAMERA_VECTOR, .eye = {x, y, eye}, .center = {x, y, eye - 100}}};
     struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), &params);
     struct csgcast_renderer *renderer = csgcast_renderer_create(&renderer_params);
     float seen = NAN;
@@ -66,6 +67,11 @@ static void test_depth(enum csgcast_backend backend, const char *text, double x,
     CHECK(seen == z || fabsf(seen - z) < 1e-4f, "%s: %g, not %g", text, (double)seen, (double)z);
     csgcast_renderer_destroy(renderer);
     csgcast_scene_destroy(scene);
+}
+
+static void test_depth(enum csgcast_backend backend, const char *text, double x, double y, float z)
+{
+    test_depth_from(backend, text, x, y, 100, z);
 }
 
 static void test_depths(enum csgcast_backend backend)
@@ -81,6 +87,8 @@ static void test_depths(enum csgcast_backend backend)
     test_depth(backend, "hull() { " THIN " }", 1.1, 1.2, 95);
     test_depth(backend, half, 0.1, -0.2, 100);
     test_depth(backend, half, 0.1, -1.2, INFINITY);
+    test_depth_from(backend, TOUCHING, 1, 1.5, 6, 6 - 1 - 4 * 2.5f / 9);
+    test_depth_from(backend, TOUCHING, 1, 1.5, 100, 95 - 4 * 6.5f / 9);
 }
 
 int main(void)
@@ -98,7 +106,7 @@ int main(void)
     test_leaves("hull() { " SHEET " }", 0);
     test_leaves("hull() { " THIN " }", 1);
     test_leaves("difference() { hull() { " THIN " } sphere(1); }", 0);
-    test_leaves(TOUCHING, 3);
+    test_leaves(TOUCHING, 2);
     test_leaves("difference() { " TOUCHING " sphere(1); }", 2);
     test_leaves("difference() { cube(20); " SHEET "}", 1);
     test_leaves("difference() { " SHEET "difference() { cube(20); sphere(9); } }", 3);
