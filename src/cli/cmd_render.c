@@ -2,6 +2,7 @@
 
 /* csgcast render: scene in, image file out. */
 
+#include "antialias.h"
 #include "commands.h"
 #include "ending.h"
 #include "messages.h"
@@ -141,7 +142,8 @@ static bool render_image(const struct drawing *drawing, const struct csgcast_vie
 static enum csg_cli_exit render_scene(const struct drawing *drawing, const char *output)
 {
     const struct csg_cli_options *options = drawing->options;
-    struct csgcast_view view = options->view;
+    const int rays = options->antialias ? options->antialias : 1;
+    struct csgcast_view view = options->view, fine;
     struct csgcast_image image;
     struct csgcast_frustum frustum;
     enum csg_cli_exit result = CSG_EXIT_FAILED;
@@ -149,11 +151,14 @@ static enum csg_cli_exit render_scene(const struct drawing *drawing, const char 
     view.width = view.width ? view.width : DEFAULT_SIZE;
     view.height = view.height ? view.height : DEFAULT_SIZE;
     if (!csgcast_view_resolve(drawing->scene, &view, &frustum) ||
-        !allocate_image(&image, &view, &options->write, holds_bytes(output, &options->write)))
+        !csg_antialias_view(&view, rays, &fine) ||
+        !allocate_image(&image, &fine, &options->write, holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
-    if (render_image(drawing, &view, &image))
+    if (render_image(drawing, &fine, &image)) {
+        csg_antialias_reduce(&image, view.width, view.height, rays);
         result =
             write_image(output, options, &view, &image, &frustum) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
+    }
     free_image(&image);
     return result;
 }
@@ -274,12 +279,22 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
                                      : render_still(options, output, batch);
 }
 
+static bool can_antialias(const struct csg_cli_options *options)
+{
+    const struct csgcast_write_params *write = &options->write;
+    const bool aov = write->write_z || write->write_normal || write->write_id;
+    if (aov && options->antialias > 1)
+        csg_cli_error("--antialias is for colours: the mean of several rays' Z, N or id is that of "
+                      "no surface; write them to a file of their own, without it");
+    return !aov || options->antialias <= 1;
+}
+
 /* The first failure is what is told; the others are drawn all the same. */
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
     struct batch batch = {.renderer = NULL};
     enum csg_cli_exit first = CSG_EXIT_OK;
-    if (!csg_cli_check_outputs(options, "png"))
+    if (!csg_cli_check_outputs(options, "png") || !can_antialias(options))
         return CSG_EXIT_USAGE;
     csg_heap_begin();
     for (size_t i = 0; i < options->num_inputs; i++) {
@@ -310,7 +325,7 @@ const struct csg_cli_command csg_command_render = {
             "  csgcast render part.scad -D 'width=30' -o wide.png\n"
             "  csgcast render part.scad -p part.json -P large -o large.png\n"
             "  csgcast render engine.scad --animate=60 -o frame.png\n"
-            "  csgcast render *.scad --imgsize=256,256\n"
+            "  csgcast render *.scad --imgsize=256,256 --antialias=3\n"
             "  csgcast render part.csg -o part.exr --aov=Z,N,id\n"
             "  openscad -o - --export-format csg part.scad | csgcast render - -o - > part.png\n",
     .run = run,

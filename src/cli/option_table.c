@@ -193,6 +193,8 @@ const struct csg_option csg_option_table[] = {
      set_aov},
     {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512",
      csg_set_imgsize},
+    {"antialias", 0, REQUIRED, RENDER, "N",
+     "a pixel is the mean of N by N rays, 1 to 8; default 1, as OpenSCAD", csg_set_antialias},
     {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"
      "default: rotation 55,0,25, the whole scene in view",

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "view_options.h"
 
+#include "antialias.h"
 #include "values.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#define MAX_IMAGE_SIZE 16384 /* pixels; csgcast_view's limit */
 
 const char *csg_set_imgsize(struct csg_cli_options *options, const char *value)
 {
@@ -14,12 +13,18 @@ const char *csg_set_imgsize(struct csg_cli_options *options, const char *value)
     if (csg_value_list(value, size, 2) != 2)
         return "WIDTH,HEIGHT";
     for (int i = 0; i < 2; i++) {
-        if (size[i] < 1 || size[i] > MAX_IMAGE_SIZE || size[i] != (int)size[i])
+        if (size[i] < 1 || size[i] > CSG_MAX_IMAGE_SIZE || size[i] != (int)size[i])
             return "two whole numbers from 1 to 16384";
     }
     options->view.width = (int)size[0];
     options->view.height = (int)size[1];
     return NULL;
+}
+
+const char *csg_set_antialias(struct csg_cli_options *options, const char *value)
+{
+    int *n = &options->antialias;
+    return csg_value_int(value, n) && *n >= 1 && *n <= CSG_ANTIALIAS_MAX ? NULL : "1 to 8";
 }
 
 const char *csg_set_camera(struct csg_cli_options *options, const char *value)

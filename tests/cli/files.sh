@@ -48,6 +48,30 @@ check "the one after is drawn" cmp ball.png folder/ball.png
 check "the broken one is not" test ! -e broken.png
 rm part.png ball.png folder/*.png ball.csg
 
+# A pixel of --antialias=2 is the mean of four of a picture of twice the size.
+# pixels PPM: a line a channel of a pixel.
+pixels()
+{
+    tail -c "$2" "$1" | od -An -v -tu1 -w1
+}
+expect 0 "twice the size" render part.csg --imgsize=64,48 --bits=8 -o large.ppm
+expect 0 "smooth edges" render part.csg "${small[@]}" --antialias=2 --bits=8 -o smooth.ppm
+pixels large.ppm $((64 * 48 * 3)) | awk '
+    { i = NR - 1; x = int(i / 3) % 64; sum[int(int(x / 2)) + 32 * int(int(i / 192) / 2), i % 3] += $1 }
+    END { for (p = 0; p < 32 * 24; p++) for (c = 0; c < 3; c++) print int((sum[p, c] + 2) / 4) }' >means
+pixels smooth.ppm $((32 * 24 * 3)) | awk '{ print int($1) }' >smooth
+check "they are means" cmp means smooth
+expect 0 "one ray" render part.csg "${small[@]}" --antialias=1 -o one.ppm
+expect 0 "no antialiasing" render part.csg "${small[@]}" -o none.ppm
+check "it is the same" cmp one.ppm none.ppm
+expect 0 "smooth floats" render part.csg "${small[@]}" --antialias=2 -o x.exr
+expect 2 "smooth distances" render part.csg "${small[@]}" --antialias=2 --aov=Z -o y.exr
+says "--antialias is for colours"
+expect 1 "too many rays" render part.csg --imgsize=9000,2 --antialias=2 -o y.png
+says "the largest --imgsize with it is 8192"
+check "nothing is written" test ! -e y.png
+rm ./*.ppm x.exr means smooth
+
 # A PNG does without OpenImageIO, whose libraries take longer to load than the picture.
 LD_DEBUG=files "$csgcast" render part.csg "${small[@]}" -o x.png 2>loaded
 check "a PNG loads libpng" grep -q libpng loaded

@@ -70,6 +70,7 @@ wrong()
         expect 2 "$option=$value" render cube.csg "$option=$value"
     done
 }
+wrong --antialias '' 0 9 -1 1.5 x
 wrong --imgsize '' 5 0,5 -1,5 5,5,5 a,b 1.5,2 16385,1 1e99,1 '5,5 ' '5, x' nan,1 inf,1 ,
 wrong --camera '' 1 1,2,3,4,5 1,2,3,4,5,6,7,8 1,2,3,4,5,x 1,2,3,4,5,nan 1,2,3,4,5,inf,1 1,,3,4,5,6
 wrong --projection '' x perspectives
