@@ -10,121 +10,30 @@
 /* Trees of so many nodes are first looked through for leaves that miss the tile. */
 #define MIN_SIFTED_NODES 64
 
-static struct csg_tile_box box_of(const struct csg_tiler *tiler, const struct csg_rect *tile)
+static struct csg_range intersect(struct csg_range a, struct csg_range b)
 {
-    const double at[2] = {tiler->terms->frame->at.x, tiler->terms->frame->at.y};
-    double center[2], half[2];
-    for (int i = 0; i < 2; i++) {
-        center[i] = 0.5 * (tile->lo[i] + tile->hi[i]) - at[i];
-        half[i] = 0.5 * (tile->hi[i] - tile->lo[i]) - 0.5;
-    }
-    return csg_tile_box(center, half);
+    return (struct csg_range){csg_larger(a.lo, b.lo), csg_smaller(a.hi, b.hi)};
 }
 
-static struct csg_range node_range(const struct csg_tiler *tiler, const struct csg_tree *tree,
-                                   uint32_t i)
+static struct csg_range span_both(struct csg_range a, struct csg_range b)
+{
+    return (struct csg_range){csg_smaller(a.lo, b.lo), csg_larger(a.hi, b.hi)};
+}
+
+static const struct csg_range nowhere = {INFINITY, -INFINITY}, anywhere = {-INFINITY, INFINITY};
+
+/* By De Morgan's laws the complement of a union is the intersection of complements. */
+static struct csg_node_range node_range(const struct csg_tiler *tiler, const struct csg_tree *tree,
+                                        uint32_t i)
 {
     const struct csg_node *node = &tree->data[i];
     const bool all = node->op == CSG_AND;
-    struct csg_range range = {all ? -INFINITY : INFINITY, all ? INFINITY : -INFINITY};
+    struct csg_node_range range = {all ? anywhere : nowhere, all ? nowhere : anywhere};
     for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end) {
-        const struct csg_range operand = tiler->nodes.data[child];
-        range.lo = all ? csg_larger(range.lo, operand.lo) : csg_smaller(range.lo, operand.lo);
-        range.hi = all ? csg_smaller(range.hi, operand.hi) : csg_larger(range.hi, operand.hi);
+        const struct csg_node_range *operand = &tiler->nodes.data[child];
+        range.set = (all ? intersect : span_both)(range.set, operand->set);
+        range.rest = (all ? span_both : intersect)(range.rest, operand->rest);
     }
-    return range;
-}
-
-static bool is_in_rect(const struct csg_rect *rect, const struct csg_rect *part)
-{
-    return rect->lo[0] < part->hi[0] && rect->hi[0] > part->lo[0] && rect->lo[1] < part->hi[1] &&
-           rect->hi[1] > part->lo[1];
-}
-
-/* Stacks have no rectangle. Rays that start inside of solids meet them behind the eye, too. */
-static const struct csg_rect *rect_of(const struct csg_tiler *tiler, uint32_t leaf)
-{
-    return tiler->draw->around_eye || leaf >= tiler->terms->scene->num_leaves
-               ? NULL
-               : &csg_terms_of(tiler->terms, leaf)->rect;
-}
-
-/* Whether the tile misses the leaf by its rectangle. */
-static bool misses(const struct csg_tiler *tiler, const struct csg_tile_task *task, uint32_t leaf)
-{
-    const struct csg_rect tile = csg_tile_rect(task);
-    const struct csg_rect *rect = rect_of(tiler, leaf);
-    return rect && !is_in_rect(rect, &tile);
-}
-
-/* The parts that do, as bits. */
-static uint8_t missing_parts(const struct csg_tiler *tiler, uint32_t leaf)
-{
-    const struct csg_rect *rect = rect_of(tiler, leaf);
-    uint8_t missed = 0;
-    for (int i = 0; i < tiler->parts.num && rect; i++)
-        missed |= (uint8_t)(!is_in_rect(rect, &tiler->parts.rects[i]) << i);
-    return missed;
-}
-
-/* Whether its ranges are found for all parts at once. */
-static bool has_lanes(const struct csg_tiler *tiler, uint32_t leaf)
-{
-    return leaf < tiler->terms->scene->num_leaves &&
-           !(csg_terms_of(tiler->terms, leaf)->flags & CSG_RECORD_SURFACE);
-}
-
-bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree)
-{
-    struct csg_tile_parts *parts = &tiler->parts;
-    parts->ranges.num = parts->missed.num = 0;
-    if (!csg_array_reserve(&parts->ranges, tree->num) ||
-        !csg_array_reserve(&parts->missed, tree->num))
-        return false;
-    for (int i = 0; i < CSG_TILE_LANES; i++) {
-        parts->tiles[i] = box_of(tiler, &parts->rects[i < parts->num ? i : 0]);
-        csg_tile_boxes_set(&parts->boxes, i, &parts->tiles[i]);
-    }
-    for (size_t i = 0; i < tree->num; i++) {
-        const uint32_t leaf = tree->data[i].leaf;
-        if (tree->data[i].op != CSG_LEAF)
-            continue;
-        const uint8_t missed = parts->missed.data[i] = missing_parts(tiler, leaf);
-        if (missed + 1 != 1 << parts->num && has_lanes(tiler, leaf))
-            csg_ranges_of_leaf(tiler->terms, csg_terms_of(tiler->terms, leaf), &parts->boxes,
-                               &parts->ranges.data[i]);
-    }
-    return true;
-}
-
-/* Whether the part at hand does, of the tree that was looked at: the leaf at node i. */
-static bool is_missed(const struct csg_tiler *tiler, uint32_t i)
-{
-    return tiler->parts.missed.data[i] >> tiler->parts.at & 1;
-}
-
-/* Of the leaf at node i of the tree that was looked at. */
-static struct csg_leaf_range leaf_range(const struct csg_tiler *tiler, uint32_t leaf, uint32_t i)
-{
-    const struct csg_tile_parts *parts = &tiler->parts;
-    const struct csg_leaf_ranges *ranges = &parts->ranges.data[i];
-    const size_t num_leaves = tiler->terms->scene->num_leaves;
-    if (is_missed(tiler, i))
-        return csg_leaf_nowhere;
-    if (leaf >= num_leaves)
-        return tiler->stacks.data[leaf - num_leaves];
-    if (has_lanes(tiler, leaf))
-        return (struct csg_leaf_range){csg_range_in_lane(&ranges->entry, parts->at),
-                                       csg_range_in_lane(&ranges->exit, parts->at)};
-    return csg_range_of_surface(csg_terms_view(tiler->terms, leaf), csg_tiler_box(tiler));
-}
-
-/* What is known of the leaf at node i in the part at hand. */
-static struct csg_leaf_range *note_leaf(struct csg_tiler *tiler, uint32_t leaf, uint32_t i)
-{
-    struct csg_leaf_range *range = csg_tiler_range(tiler, leaf);
-    *range = leaf_range(tiler, leaf, i);
-    tiler->origins.data[tiler->terms->index[leaf]] = i;
     return range;
 }
 
@@ -132,7 +41,7 @@ static void fill_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
 {
     for (uint32_t i = 0; i < tree->num; i++)
         if (tree->data[i].op == CSG_LEAF)
-            note_leaf(tiler, tree->data[i].leaf, i);
+            csg_tiler_note_leaf(tiler, tree->data[i].leaf, i);
 }
 
 static void fill_nodes(struct csg_tiler *tiler, const struct csg_tree *tree)
@@ -144,8 +53,9 @@ static void fill_nodes(struct csg_tiler *tiler, const struct csg_tree *tree)
             continue;
         }
         const struct csg_leaf_range *leaf = csg_tiler_range(tiler, node->leaf);
-        tiler->nodes.data[i] = node->negated ? (struct csg_range){-INFINITY, INFINITY}
-                                             : (struct csg_range){leaf->entry.lo, leaf->exit.hi};
+        const struct csg_range own = {leaf->entry.lo, leaf->exit.hi};
+        tiler->nodes.data[i] = node->negated ? (struct csg_node_range){anywhere, own}
+                                             : (struct csg_node_range){own, anywhere};
     }
 }
 
@@ -231,11 +141,9 @@ static bool judge_leaves(struct csg_tiler *tiler, const struct csg_tree *tree)
             found |= known != CSG_VARIES;
             continue;
         }
-        struct csg_range inside = contexts[i];
-        if (node->op == CSG_AND) {
-            inside.lo = csg_larger(inside.lo, tiler->nodes.data[i].lo);
-            inside.hi = csg_smaller(inside.hi, tiler->nodes.data[i].hi);
-        }
+        const struct csg_node_range *range = &tiler->nodes.data[i];
+        const struct csg_range inside =
+            intersect(contexts[i], node->op == CSG_AND ? range->set : range->rest);
         for (uint32_t child = i + 1; child < node->end; child = tree->data[child].end)
             contexts[child] = inside;
     }
@@ -261,7 +169,8 @@ static bool sift(struct csg_tiler *tiler, struct csg_tile_task *task)
     for (size_t i = 0; i < task->tree.num; i++) {
         const uint32_t leaf = task->tree.data[i].leaf;
         if (task->tree.data[i].op == CSG_LEAF)
-            tiler->terms->known[leaf] = misses(tiler, task, leaf) ? CSG_NOTHING : CSG_VARIES;
+            tiler->terms->known[leaf] =
+                csg_tiler_misses(tiler, task, leaf) ? CSG_NOTHING : CSG_VARIES;
     }
     return csg_tree_simplify_in(&tiler->room, &task->tree, tiler->terms->known);
 }
@@ -318,7 +227,7 @@ static void sift_flat(const struct csg_tiler *tiler, struct csg_tile_task *task)
     uint32_t num = 1;
     bool any = true;
     for (uint32_t i = 1; i < tree->num && any; i++) {
-        const bool missed = misses(tiler, task, tree->data[i].leaf);
+        const bool missed = csg_tiler_misses(tiler, task, tree->data[i].leaf);
         any = keep_flat(tree, i, missed ? CSG_NOTHING : CSG_VARIES, &num);
     }
     end_flat(tree, any ? num : 0);
@@ -332,12 +241,12 @@ static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree, struct csg
     *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node *node = &tree->data[i];
-        if (is_missed(tiler, i)) {
+        if (csg_tiler_is_missed(tiler, i)) {
             if (!node->negated)
                 return false;
             continue;
         }
-        const struct csg_leaf_range *leaf = note_leaf(tiler, node->leaf, i);
+        const struct csg_leaf_range *leaf = csg_tiler_note_leaf(tiler, node->leaf, i);
         if (!node->negated) {
             common->lo = csg_larger(common->lo, leaf->entry.lo);
             common->hi = csg_smaller(common->hi, leaf->exit.hi);

@@ -29,6 +29,11 @@ struct csg_tile_parts {
     CSG_ARRAY(uint8_t) missed; /* by the rectangles of leaves: bits of parts */
 };
 
+/* Keys that a node's set is within, and its complement. */
+struct csg_node_range {
+    struct csg_range set, rest;
+};
+
 /* Zeroed before the first area; its arrays are for the next one, too. */
 struct csg_tiler {
     struct csg_terms *terms;
@@ -40,9 +45,9 @@ struct csg_tiler {
     struct csg_tile_parts parts;
     CSG_ARRAY(struct csg_leaf_range) ranges; /* by leaf of the terms, of the tile at hand */
     CSG_ARRAY(uint32_t) origins;             /* ... made from this node's of the parts */
-    CSG_ARRAY(struct csg_range) nodes;       /* keys that a node's set is within */
-    CSG_ARRAY(struct csg_range) contexts;    /* keys at which a node matters */
-    CSG_ARRAY(uint32_t) members;             /* for csg_dominate */
+    CSG_ARRAY(struct csg_node_range) nodes;
+    CSG_ARRAY(struct csg_range) contexts; /* keys at which a node matters */
+    CSG_ARRAY(uint32_t) members;          /* for csg_dominate */
     CSG_ARRAY(struct csg_leaf_range) stacks;
     CSG_ARRAY(bool) planes;
     CSG_ARRAY(double) keys;   /* by node, for csg_front_find */
@@ -105,6 +110,22 @@ bool csg_task_copy(struct csg_tiler *tiler, const struct csg_tile_task *whole,
 /* The memory of a tree that is not needed any more is for the next one. */
 void csg_task_drop(struct csg_tiler *tiler, struct csg_tile_task *task);
 
+/* ---- look.c ---- */
+
+/* Whether the task's tile misses the leaf by its rectangle on the screen. */
+bool csg_tiler_misses(const struct csg_tiler *tiler, const struct csg_tile_task *task,
+                      uint32_t leaf);
+
+/* Finds what the parts' rays meet of a tree. false: out of memory. */
+bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree);
+
+/* Whether the part at hand misses the leaf at node i of the tree that was looked at by its
+ * rectangle. */
+bool csg_tiler_is_missed(const struct csg_tiler *tiler, uint32_t i);
+
+/* Finds the range of the leaf at node i of the tree that was looked at, in the part at hand. */
+struct csg_leaf_range *csg_tiler_note_leaf(struct csg_tiler *tiler, uint32_t leaf, uint32_t i);
+
 /* ---- fold.c ---- */
 
 /* Whether the tree is one intersection of leaves, none of them spare: a plate with holes, and what
@@ -113,9 +134,6 @@ bool csg_tiler_is_flat(const struct csg_tree *tree);
 
 /* Leaves out of the task's tree what its tile misses by rectangles. false: out of memory. */
 bool csg_tiler_sift(struct csg_tiler *tiler, struct csg_tile_task *task);
-
-/* Finds what the parts' rays meet of a tree. false: out of memory. */
-bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree);
 
 /* Leaves of the task's tree, which is the one that was looked at, what matters in the part at
  * hand, its tile; no nodes: nothing does. Finds the ranges of the leaves that stay, and whether

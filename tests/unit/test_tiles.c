@@ -117,9 +117,9 @@ static void compare(const struct example *example, const struct picture *a, cons
     CHECK((double)wrong <= MAX_WRONG_SHARE * (double)num, "%s: %zu pixels", example->name, wrong);
 }
 
-static void check_example(const struct example *example)
+/* In tiles, of which not many may be for the loop, beside the reference. */
+static void check_text(const struct example *example, const char *text)
 {
-    char *text = plate(example->solid);
     struct csgcast_scene *scene = text ? csgcast_scene_parse(text, strlen(text), NULL) : NULL;
     struct picture tiles = {NULL, NULL}, reference = {NULL, NULL};
     struct csgcast_stats stats, none;
@@ -134,9 +134,15 @@ static void check_example(const struct example *example)
         compare(example, &tiles, &reference);
     }
     csgcast_scene_destroy(scene);
-    free(text);
     drop(&tiles);
     drop(&reference);
+}
+
+static void check_example(const struct example *example)
+{
+    char *text = plate(example->solid);
+    check_text(example, text);
+    free(text);
 }
 
 /* What a renderer keeps of a frame, of the same scene in another size, is not seen in the next. */
@@ -263,6 +269,25 @@ static void check_clauses(void)
     check_variant(text, 512, "auto", "chain ", false);
 }
 
+/* Intersections spread over half a ball, taken from a cube: a tile in which the two solids of one
+ * are apart along all rays has neither. Twice as many tiles would be for the loop. */
+static void check_apart(void)
+{
+    enum { NUM = 24 };
+    const struct example example = {"apart", "", 512, 220};
+    char text[256 * NUM] = "difference() { cube(size = [40, 40, 40], center = true);";
+    for (int i = 0; i < NUM; i++) {
+        const double z = 1 - (double)i / NUM, r = 20 * sqrt(1 - z * z), turn = 2.39996 * i;
+        sprintf(text + strlen(text),
+                "multmatrix([[1, 0, 0, %g], [0, 0, -1, %g], [0, 1, 0, %g], [0, 0, 0, 1]])"
+                "intersection() { sphere(r = 8);"
+                "cylinder(h = 20, r1 = 5, r2 = 5, center = true); }",
+                r * cos(turn), r * sin(turn), 20 * z);
+    }
+    strcat(text, "}");
+    check_text(&example, text);
+}
+
 /* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
  */
 static void check_few_programs(void)
@@ -324,6 +349,7 @@ int main(void)
     check_few_solids();
     check_stiff();
     check_clauses();
+    check_apart();
     check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
