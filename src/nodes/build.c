@@ -242,19 +242,21 @@ static bool build_layer(const struct csg_builder *builder, const struct layer_ru
     return true;
 }
 
-bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, const struct csg_space *space,
-               struct csg_origins *origins, struct csg_handoff *handoff, struct csg_report *report)
+bool csg_build(struct csgcast_scene *scene, const struct csg_build_source *source,
+               struct csg_handoff *handoff)
 {
-    struct csg_builder builder = {.document = document,
+    const struct csgcast_scene_params *params = source->params;
+    struct csg_text_state own_text = {0};
+    struct csg_builder builder = {.document = source->document,
                                   .params = params,
-                                  .report = report,
+                                  .report = source->report,
                                   .scene = scene,
                                   .facets = params->facets,
+                                  .text = source->text ? source->text : &own_text,
                                   .clip.is_wanted = params->facets == CSGCAST_FACETS_AS_WRITTEN,
                                   .skip_unsupported = params->skip_unsupported,
-                                  .origins = origins,
-                                  .space = space,
+                                  .origins = source->origins,
+                                  .space = source->space,
                                   .handoff = handoff,
                                   .num_threads = params->num_threads,
                                   .directory = params->directory ? params->directory : "."};
@@ -265,7 +267,7 @@ bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
                 csg_build_leaves(&builder);
     for (int i = 0; done && i < CSG_NUM_LAYERS; i++)
         done = build_layer(&builder, &layer_rules[i]);
-    csg_text_finish(&builder.text);
+    csg_text_finish(&own_text);
     csg_repeats_destroy(builder.repeats);
     free(builder.meanings);
     free(builder.parts.data);

@@ -79,24 +79,30 @@ struct csg_builder {
     size_t num_extrusions;         /* solids made of drawings, among them */
     struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
     const struct csg_space *space; /* around all nodes; NULL: the world */
-    struct csg_text_state text;
+    struct csg_text_state *text;
     struct csg_clip_state clip;
     struct csg_xml_state xml;
     struct csg_tree parts;       /* the trees of the compounds, one behind the other */
     struct csg_repeats *repeats; /* NULL: each compound is read by itself */
 };
 
-struct csg_handoff;
+/* What a scene is made of, and with what. */
+struct csg_build_source {
+    const struct csg_document *document;
+    const struct csgcast_scene_params *params;
+    const struct csg_space *space; /* around all nodes; NULL: the world */
+    struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
+    struct csg_text_state *text;   /* stays open for the next scene; NULL: none follows */
+    struct csg_report *report;
+};
 
 /*
  * Fills scene's leaves and trees; the trees are not simplified. What handoff is asked for is left
  * out: the scene is then to be built again. All errors are reported; what is wrong is then left out
- * of the scene. origins gets where the leaves come from; NULL: not wanted. space is around all
- * nodes; NULL: the world. false, with a message, when memory is out.
+ * of the scene. false, with a message, when memory is out.
  */
-bool csg_build(struct csgcast_scene *scene, const struct csg_document *document,
-               const struct csgcast_scene_params *params, const struct csg_space *space,
-               struct csg_origins *origins, struct csg_handoff *handoff, struct csg_report *report);
+bool csg_build(struct csgcast_scene *scene, const struct csg_build_source *source,
+               struct csg_handoff *handoff);
 
 /* The walks. false, with a message, when memory is out. */
 bool csg_build_meanings(struct csg_builder *builder);

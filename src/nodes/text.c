@@ -244,7 +244,7 @@ static struct csg_text read_text(const struct csg_args *args, double *rounding)
 static bool add_text(struct csg_walk *walk, uint32_t node, const struct csg_text *text,
                      struct glyph *glyph)
 {
-    const struct csg_text_state *state = &walk->builder->text;
+    const struct csg_text_state *state = walk->builder->text;
     const struct csg_text_sink sink = {.user = glyph,
                                        .begin_glyph = begin_glyph,
                                        .begin_contour = begin_contour,
@@ -261,7 +261,7 @@ static bool add_text(struct csg_walk *walk, uint32_t node, const struct csg_text
 bool csg_figure_text(struct csg_walk *walk, uint32_t node, const struct csg_args *args,
                      const struct csg_space *space, struct csg_drawing *drawing)
 {
-    struct csg_text_state *state = &walk->builder->text;
+    struct csg_text_state *state = walk->builder->text;
     struct glyph glyph = {.space = space, .drawing = drawing};
     const uint32_t draw = (uint32_t)drawing->nodes.num;
     struct csg_map inverse;

@@ -4,7 +4,7 @@
 
 #include "nodes/walk.h"
 
-/* Closes the fonts of a walk. */
+/* Closes the fonts, if there are any. */
 void csg_text_finish(struct csg_text_state *state);
 
 /* A number for the fonts that there are, another one after any of them has changed; 0: there is no

@@ -6,6 +6,7 @@
 
 #include "cells/store.h"
 #include "common/clock.h"
+#include "nodes/text.h"
 #include "prepare/follow.h"
 #include "prepare/scene.h"
 #include "scene/load.h"
@@ -16,6 +17,7 @@ void csg_edits_destroy(struct csg_edits *edits)
         return;
     csg_origins_finish(&edits->origins);
     csg_node_texts_finish(&edits->texts);
+    csg_text_finish(&edits->text);
     for (int layer = 0; layer < CSG_NUM_LAYERS; layer++) {
         free(edits->whole[layer].data);
         free(edits->trees[layer].data);

@@ -2,6 +2,7 @@
 #ifndef CSG_SCENE_EDITS_H
 #define CSG_SCENE_EDITS_H
 
+#include "nodes/build.h"
 #include "nodes/origin.h"
 #include "scene/node_texts.h"
 
@@ -11,6 +12,7 @@ struct csg_before;
 struct csg_edits {
     struct csg_origins origins;
     struct csg_node_texts texts;
+    struct csg_text_state text;            /* fonts of nodes that are read anew */
     struct csg_tree whole[CSG_NUM_LAYERS]; /* as the text has them */
     struct csg_tree trees[CSG_NUM_LAYERS]; /* simplified, but for what boxes show */
     size_t num_dropped;                    /* solids of the text that have no leaf */

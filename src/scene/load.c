@@ -20,21 +20,12 @@ static const struct csgcast_scene_params default_params;
 /* Subtrees handed to openscad may turn out to be in others that need it as well. */
 enum { max_rounds = 16 };
 
-/* What a scene is made of, and with what. */
-struct reading {
-    const struct csg_document *document;
-    const struct csgcast_scene_params *params;
-    const struct csg_space *space; /* around all nodes; NULL: the world */
-    struct csg_origins *origins;   /* gets where the leaves come from; NULL: not wanted */
-    struct csg_report *report;
-};
-
 /* One scene from the nodes. NULL: memory is out, a message was given. */
-static struct csgcast_scene *build(const struct reading *reading, struct csg_handoff *handoff)
+static struct csgcast_scene *build(const struct csg_build_source *source,
+                                   struct csg_handoff *handoff)
 {
-    struct csgcast_scene *scene = csg_scene_create(&reading->report->to, reading->report->file);
-    if (scene && csg_build(scene, reading->document, reading->params, reading->space,
-                           reading->origins, handoff, reading->report))
+    struct csgcast_scene *scene = csg_scene_create(&source->report->to, source->report->file);
+    if (scene && csg_build(scene, source, handoff))
         return scene;
     csgcast_scene_destroy(scene);
     return NULL;
@@ -47,41 +38,33 @@ static struct csgcast_scene *fail(struct csgcast_scene *scene)
 }
 
 /* Builds until nothing more is wanted from openscad; what earlier rounds said no longer holds. */
-static struct csgcast_scene *build_all(const struct reading *reading, struct csg_handoff *handoff)
+static struct csgcast_scene *build_all(const struct csg_build_source *source,
+                                       struct csg_handoff *handoff)
 {
-    struct csg_report *report = reading->report;
+    struct csg_report *report = source->report;
     for (int round = 0;; round++) {
         csg_report_hold(report);
-        struct csgcast_scene *scene = build(reading, round < max_rounds ? handoff : NULL);
+        struct csgcast_scene *scene = build(source, round < max_rounds ? handoff : NULL);
         if (!scene || report->num[CSGCAST_LOG_ERROR] > 0 || !csg_handoff_is_wanted(handoff)) {
             csg_report_release(report);
             return scene && csg_handoff_note(handoff, scene) ? scene : fail(scene);
         }
         csg_report_drop(report);
         csgcast_scene_destroy(scene);
-        if (reading->origins)
-            csg_origins_finish(reading->origins);
+        if (source->origins)
+            csg_origins_finish(source->origins);
         if (!csg_handoff_run(handoff, report))
             return NULL;
     }
 }
 
-static struct csgcast_scene *read_nodes(const struct reading *reading)
+struct csgcast_scene *csg_scene_read_nodes(const struct csg_build_source *source)
 {
     struct csg_handoff handoff;
-    csg_handoff_init(&handoff, reading->params, reading->document);
-    struct csgcast_scene *scene = build_all(reading, &handoff);
+    csg_handoff_init(&handoff, source->params, source->document);
+    struct csgcast_scene *scene = build_all(source, &handoff);
     csg_handoff_finish(&handoff);
     return scene;
-}
-
-struct csgcast_scene *csg_scene_read_nodes(const struct csg_document *document,
-                                           const struct csgcast_scene_params *params,
-                                           const struct csg_space *space,
-                                           struct csg_origins *origins, struct csg_report *report)
-{
-    const struct reading reading = {document, params, space, origins, report};
-    return read_nodes(&reading);
 }
 
 /* document is finished by the caller. */
@@ -90,10 +73,11 @@ static struct csgcast_scene *read_document(const char *text, size_t size,
                                            struct csg_origins *origins,
                                            struct csg_document *document, struct csg_report *report)
 {
-    const struct reading reading = {document, params, NULL, origins, report};
+    const struct csg_build_source source = {
+        .document = document, .params = params, .origins = origins, .report = report};
     struct csgcast_scene *scene = NULL;
     if (csg_document_parse(document, size > 0 ? text : "", size, params->num_threads, report))
-        scene = read_nodes(&reading);
+        scene = csg_scene_read_nodes(&source);
     if (scene)
         scene->info.num_rounded = document->num_rounded;
     return scene;

@@ -28,21 +28,17 @@ bool csg_scene_place(struct csgcast_scene_params *params, const char *path, char
 /* false, with a message, for params that make no sense: they come from the caller. */
 bool csg_scene_check(const struct csgcast_scene_params *params, const struct csg_log *log);
 
+struct csg_build_source;
 struct csg_document;
 struct csg_origins;
-struct csg_report;
-struct csg_space;
 
 /* Once more from the text it keeps, without messages; origins gets where its leaves come from, and
  * document, which the caller finishes, the nodes. */
 struct csgcast_scene *csg_scene_reread(const struct csgcast_scene *scene,
                                        struct csg_origins *origins, struct csg_document *document);
 
-/* Likewise from nodes, with messages; space is around all of them. Errors leave out what is wrong.
- * NULL: memory is out, a message was given. */
-struct csgcast_scene *csg_scene_read_nodes(const struct csg_document *document,
-                                           const struct csgcast_scene_params *params,
-                                           const struct csg_space *space,
-                                           struct csg_origins *origins, struct csg_report *report);
+/* Likewise from nodes, with messages. Errors leave out what is wrong. NULL: memory is out, a message
+ * was given. */
+struct csgcast_scene *csg_scene_read_nodes(const struct csg_build_source *source);
 
 #endif

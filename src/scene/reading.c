@@ -24,9 +24,14 @@ static bool read_nodes(struct csg_reading *reading, const struct csgcast_scene *
                        struct csg_report *report)
 {
     struct csg_excerpt excerpt = {0};
+    const struct csg_build_source source = {.document = &excerpt.document,
+                                            .params = &scene->source->params,
+                                            .space = space,
+                                            .origins = &reading->origins,
+                                            .text = &scene->edits->text,
+                                            .report = report};
     if (csg_excerpt_init(&excerpt, &scene->edits->texts, begin, end))
-        reading->scene = csg_scene_read_nodes(&excerpt.document, &scene->source->params, space,
-                                              &reading->origins, report);
+        reading->scene = csg_scene_read_nodes(&source);
     else
         csg_log_memory(&report->log);
     csg_excerpt_finish(&excerpt);

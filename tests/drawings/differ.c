@@ -24,7 +24,7 @@ static bool read_drawing(struct csg_builder *builder, struct csg_drawing *drawin
                     csg_build_unsupported(builder) &&
                     csg_drawing_read_node(&walk, 0, false, drawing);
     csg_arguments_finish(&walk.arguments);
-    csg_text_finish(&builder->text);
+    csg_text_finish(builder->text);
     free(builder->meanings);
     return ok;
 }
@@ -41,11 +41,13 @@ static bool read_ours(const char *path, struct csg_drawing *drawing)
     bool ok = csg_file_read(path, &file, &log) && csg_bytes_append_text(&text, "group() {") &&
               csg_bytes_append(&text, file.data, file.num) && csg_bytes_append_text(&text, "}");
     csg_report_init(&report, &log, path);
+    struct csg_text_state fonts = {0};
     struct csg_builder builder = {.document = &document,
                                   .params = &params,
                                   .report = &report,
                                   .scene = &scene,
                                   .facets = CSGCAST_FACETS_AS_WRITTEN,
+                                  .text = &fonts,
                                   .clip.is_wanted = true,
                                   .num_threads = 1,
                                   .directory = "."};
