@@ -37,7 +37,7 @@ struct csg_sweep {
 
 /* Differences below this share of the largest coordinate are noise: what offset() leaves between
  * two of its corners that are meant to be at one height. */
-#define CSG_SWEEP_NOISE 1e-10
+#define CSG_SWEEP_NOISE 1e-12
 
 /* A drawing may not have more edges, nor the slabs more spans; beyond them it is not swept. */
 #define CSG_SWEEP_MAX_EDGES 200000
