@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: MIT */
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* realpath, symlink */
+#endif
+
 #include "document/digits.h"
 
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "common/join.h"
 #include "common/module.h"
@@ -57,17 +62,36 @@ static char **copy_environment(size_t *num)
     return copy;
 }
 
+/* A name for the module that has no blank and no colon, which LD_PRELOAD takes for its end: if need
+ * be of a link to it in the folder. For the caller to free; NULL: there is none. */
+static char *preloadable(const char *module, const char *folder)
+{
+    char real[PATH_MAX];
+    if (!strpbrk(module, " :"))
+        return csg_join(module, "");
+    if (strpbrk(folder, " :") || !realpath(module, real))
+        return NULL;
+    char *link = csg_join_three(folder, "/", csg_digits_module);
+    if (link && symlink(real, link) == 0)
+        return link;
+    free(link);
+    return NULL;
+}
+
 char **csg_digits_environment(const char *folder)
 {
     char module[PATH_MAX + 64];
     size_t num;
-    if (!csg_module_find(csg_digits_module, "CSGCAST_DIGITS_MODULE", module, sizeof module) ||
-        strpbrk(module, " :")) /* which LD_PRELOAD takes for the end of the name */
+    if (!csg_module_find(csg_digits_module, "CSGCAST_DIGITS_MODULE", module, sizeof module))
         return NULL;
-    char **environment = copy_environment(&num);
-    if (!environment)
+    char *name = preloadable(module, folder);
+    char **environment = name ? copy_environment(&num) : NULL;
+    if (!environment) {
+        free(name);
         return NULL;
-    environment[num] = preload_setting(module);
+    }
+    environment[num] = preload_setting(name);
+    free(name);
     environment[num + 1] = csg_join(folder_variable, folder);
     if (environment[num] && environment[num + 1])
         return environment;

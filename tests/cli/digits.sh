@@ -118,11 +118,22 @@ for key in leaves dropped; do
     is "$(node -p "JSON.parse(fs.readFileSync('out.all')).$key")" $key
 done
 
-# Without the module, and with what cannot be loaded, all is as OpenSCAD has it, without a word.
-mkdir -p "with blank" broken
-cp "$(dirname "$csgcast")/csgcast-digits.so" "with blank/"
+# The module may be anywhere, with a blank or a colon in its name.
+mkdir -p "with blank" with:colon broken
+for folder in "with blank" with:colon; do
+    cp "$(dirname "$csgcast")/csgcast-digits.so" "$folder/"
+    CSGCAST_DIGITS_MODULE=$work/$folder/csgcast-digits.so all "$folder" gap.scad
+    is 0 rounded
+done
+
+# Without it, where nothing can stand for such a name, and with what cannot be loaded, all is as
+# OpenSCAD has it, without a word.
+TMPDIR="$work/with blank" CSGCAST_DIGITS_MODULE="$work/with blank/csgcast-digits.so" \
+    expect 0 "blanks everywhere" info --json --no-gl gap.scad
+is_silent
+is 2 rounded
 echo "no library" >broken/csgcast-digits.so
-for module in "with blank/csgcast-digits.so" broken/csgcast-digits.so missing.so; do
+for module in broken/csgcast-digits.so missing.so; do
     CSGCAST_DIGITS_MODULE=$work/$module expect 0 "$module" info --json --no-gl gap.scad
     is_silent
     is 2 rounded
@@ -159,7 +170,7 @@ cat >turning.scad <<'END'
 rotate([0, 0, 100 / 3 * $t]) cube([1 / 3, 1, str(1 / 3 + $t) == "0.666667" ? 7 : 1]);
 END
 mkdir frames
-CSGCAST_DIGITS=$work/frames LD_PRELOAD=$(dirname "$csgcast")/csgcast-digits.so \
+CSGCAST_DIGITS=$work/frames LD_LIBRARY_PATH=$(dirname "$csgcast") LD_PRELOAD=csgcast-digits.so \
     openscad --animate 3 -o "$work/frames/x.csg" turning.scad >/dev/null 2>&1
 check "three frames" test "$(cat frames/*.csg | grep -c "^// all digits")" = 3
 check "str() in the second" grep -q "size = \[0.3333333333333333[0-9]*, 1, 7\]" frames/x00001.csg

@@ -44,7 +44,8 @@ call()
     local number=$1
     shift
     rm -f result
-    FAIL_AT=$number FAIL_COUNT=$work/count LD_PRELOAD=$fail "$csgcast" "$@" >out 2>err
+    FAIL_AT=$number FAIL_COUNT=$work/count LD_LIBRARY_PATH=$(dirname "$fail") \
+        LD_PRELOAD=$(basename "$fail") "$csgcast" "$@" >out 2>err
 }
 
 # holds STATUS: what may happen has happened.
