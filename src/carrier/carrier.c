@@ -88,7 +88,7 @@ static bool place_faces(struct csg_carrier_builder *builder)
 static bool find_remote(struct csg_carrier_builder *builder)
 {
     if (!csg_remote_find(&builder->remote, builder->scene, builder->wanted,
-                         builder->largest_rounding))
+                         csg_remote_rounding(builder->largest_rounding)))
         return false;
     if (builder->remote.near)
         builder->placed = calloc(builder->scene->num_leaves + 1, sizeof *builder->placed);

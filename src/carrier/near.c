@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "carrier/change.h"
+#include "carrier/nearness.h"
 #include "csg/object.h"
 
 struct boxes {
@@ -38,7 +39,7 @@ static bool is_near(const struct csg_carrier_change *change, uint32_t leaf,
                     const struct boxes *boxes)
 {
     const struct csg_box around =
-        csg_remote_around(change->scene, change->builder->remote.rounding, leaf);
+        csg_nearness_around(change->scene, leaf, change->builder->remote.rounding);
     for (size_t i = 0; i < boxes->num; i++)
         if (csg_box_overlaps(&boxes->data[i], &around))
             return true;
@@ -54,15 +55,23 @@ static bool has_other_faces(const struct csg_carrier_change *change, uint32_t le
     return !near != !old || (near && memcmp(near, old, surface->planes.num) != 0);
 }
 
+static bool find_near(const struct csg_carrier_change *change, uint32_t leaf, uint8_t **near)
+{
+    const struct csg_remote *remote = &change->builder->remote;
+    const struct csg_remote_edit edit = {change->before, change->wanted, change->builder->wanted};
+    return change->is_same && !csg_is_touched(change, leaf)
+               ? csg_remote_follow_one(change->scene, &edit, remote->rounding, leaf,
+                                       remote->near[leaf], near)
+               : csg_remote_find_one(change->scene, change->wanted, remote->rounding, leaf, near);
+}
+
 static bool meet(struct csg_carrier_change *change, uint32_t leaf)
 {
     const struct csg_carrier_builder *builder = change->builder;
     const struct csg_shape *shape = &change->scene->leaves[leaf].shape;
     const bool touched = csg_is_touched(change, leaf);
     struct csg_met_surface met = {.leaf = leaf};
-    if (change->wanted[leaf] && shape->surface &&
-        !csg_remote_find_one(change->scene, change->wanted, builder->remote.rounding, leaf,
-                             &met.near))
+    if (change->wanted[leaf] && shape->surface && !find_near(change, leaf, &met.near))
         return false;
     bool ok = true;
     if (touched || has_other_faces(change, leaf, met.near)) {
@@ -111,7 +120,7 @@ static bool has_same_rounding(const struct csg_carrier_change *change)
     for (size_t i = 0; i < change->scene->num_leaves; i++)
         if (change->wanted[i])
             rounding = fmax(rounding, change->scene->leaves[i].shape.rounding);
-    return rounding == change->builder->remote.rounding;
+    return csg_remote_rounding(rounding) == change->builder->remote.rounding;
 }
 
 bool csg_carrier_has_room_for_met(const struct csg_carrier_change *change)

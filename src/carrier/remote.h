@@ -11,6 +11,8 @@
 
 #include "csg/scene.h"
 
+struct csg_before;
+
 struct csg_remote {
     uint8_t **near; /* by leaf, by plane: another solid comes near, or comes near a face of the same
                      * surface that lies on this one's plane; NULL: all faces are remote. */
@@ -18,8 +20,11 @@ struct csg_remote {
     double rounding; /* that they were found with */
 };
 
-/* Of the surfaces among the leaves that wanted marks; rounding: the largest of these. false: out of
- * memory. */
+/* That of all leaves to look for faces with, where their largest is that: so much more that few
+ * edits make it another one. */
+double csg_remote_rounding(double largest);
+
+/* Of the surfaces among the leaves that wanted marks. false: out of memory. */
 bool csg_remote_find(struct csg_remote *remote, const struct csgcast_scene *scene,
                      const bool *wanted, double rounding);
 void csg_remote_finish(struct csg_remote *remote);
@@ -28,7 +33,14 @@ void csg_remote_finish(struct csg_remote *remote);
 bool csg_remote_find_one(const struct csgcast_scene *scene, const bool *wanted, double rounding,
                          uint32_t leaf, uint8_t **near);
 
-/* What no other solid's box comes to makes no difference to a surface in it. */
-struct csg_box csg_remote_around(const struct csgcast_scene *scene, double rounding, uint32_t leaf);
+/* An edit of leaves beside a surface; by leaf: what is wanted now, and was. */
+struct csg_remote_edit {
+    const struct csg_before *before;
+    const bool *wanted, *wanted_before;
+};
+
+/* The same where only other leaves have changed; old: what was near, or NULL. */
+bool csg_remote_follow_one(const struct csgcast_scene *scene, const struct csg_remote_edit *edit,
+                           double rounding, uint32_t leaf, const uint8_t *old, uint8_t **near);
 
 #endif
