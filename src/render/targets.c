@@ -71,11 +71,29 @@ static bool make_bytes(struct csg_targets *targets, struct csg_gl *gl)
     return is_complete(gl, targets);
 }
 
+/* What a driver of OpenGL 3.3 allows is 1024 pixels each way at least. */
+static bool is_too_large(struct csg_gl *gl, int width, int height)
+{
+    GLint textures = 0, buffers = 0;
+    gl->GetIntegerv(GL_MAX_RECTANGLE_TEXTURE_SIZE, &textures);
+    gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffers);
+    const GLint max = textures < buffers ? textures : buffers;
+    if (width <= max && height <= max)
+        return false;
+    csg_log_error(&gl->log, CSGCAST_MESSAGE_CONTEXT,
+                  "the image has %d x %d pixels and this driver allows %d each way: use "
+                  "--backend=reference, or a smaller image",
+                  width, height, max);
+    return true;
+}
+
 bool csg_targets_resize(struct csg_targets *targets, struct csg_gl *gl, int width, int height,
                         const struct csg_targets_use *use)
 {
     bool ok = true;
     if (targets->width != width || targets->height != height) {
+        if (is_too_large(gl, width, height))
+            return false;
         csg_targets_finish(targets, gl);
         targets->width = width;
         targets->height = height;

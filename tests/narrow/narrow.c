@@ -3,8 +3,8 @@
 
 /*
  * Preloaded, makes the driver one that is not llvmpipe and allows no more than OpenGL 3.3 asks for:
- * points of one pixel, no base instance, and so many components between the stages. A vertex stage
- * with more of them does not compile.
+ * points of one pixel, no base instance, small textures, and so many components between the stages. A
+ * vertex stage with more of them does not compile.
  */
 
 #include <dlfcn.h>
@@ -15,7 +15,7 @@
 #include <EGL/egl.h>
 #include <GL/glcorearb.h>
 
-enum { MAX_COMPONENTS = 60, MAX_TEXELS = 65536, MAX_NAMES = 64 };
+enum { MAX_COMPONENTS = 60, MAX_TEXELS = 65536, MAX_SIZE = 1024, MAX_NAMES = 64 };
 
 typedef void (*proc)(void);
 
@@ -37,6 +37,8 @@ static void narrow_integers(GLenum name, GLint *value)
         *value = MAX_COMPONENTS;
     if (name == GL_MAX_TEXTURE_BUFFER_SIZE)
         *value = MAX_TEXELS;
+    if (name == GL_MAX_RECTANGLE_TEXTURE_SIZE || name == GL_MAX_RENDERBUFFER_SIZE)
+        *value = MAX_SIZE;
 }
 
 static void narrow_floats(GLenum name, GLfloat *value)
