@@ -19,7 +19,7 @@ csgcast_strict(csgcast_objects)
 # not trap.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/crowd/cast.c
     ${PROJECT_SOURCE_DIR}/src/crowd/balls.c ${PROJECT_SOURCE_DIR}/src/crowd/tree_cast.c
-    ${PROJECT_SOURCE_DIR}/src/tile/range.c PROPERTIES
+    ${PROJECT_SOURCE_DIR}/src/tile/range.c ${PROJECT_SOURCE_DIR}/src/tile/flat.c PROPERTIES
     COMPILE_OPTIONS "-ftree-vectorize;-fno-math-errno;-fno-trapping-math")
 
 # Convex hulls. Where Qhull is missing, hull() and minkowski() are left to openscad.

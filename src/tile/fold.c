@@ -233,53 +233,37 @@ static void sift_flat(const struct csg_tiler *tiler, struct csg_tile_task *task)
     end_flat(tree, any ? num : 0);
 }
 
-/* Of a flat tree leaves what rays meet, and finds the keys that all of it has in common. false:
- * that is nothing. */
-static bool meet_flat(struct csg_tiler *tiler, struct csg_tree *tree, struct csg_range *common)
+/* Leaves what matters in the part at hand of a flat tree that was judged. */
+static void take_part(struct csg_tiler *tiler, struct csg_tree *tree)
 {
+    const struct csg_leaf_ranges *ranges = tiler->parts.ranges.data;
+    const int at = tiler->parts.at;
     uint32_t num = 1;
-    *common = (struct csg_range){-(double)CSG_KEY_MAX, INFINITY};
     for (uint32_t i = 1; i < tree->num; i++) {
-        const struct csg_node *node = &tree->data[i];
-        if (csg_tiler_is_missed(tiler, i)) {
-            if (!node->negated)
-                return false;
-            continue;
-        }
-        const struct csg_leaf_range *leaf = csg_tiler_note_leaf(tiler, node->leaf, i);
-        if (!node->negated) {
-            common->lo = csg_larger(common->lo, leaf->entry.lo);
-            common->hi = csg_smaller(common->hi, leaf->exit.hi);
-        }
-        const bool met = leaf->entry.lo <= leaf->exit.hi;
-        if (!keep_flat(tree, i, met ? CSG_VARIES : CSG_NOTHING, &num))
-            return false;
+        const struct csg_node node = tree->data[i];
+        const bool varies = ranges[i].entry.lo[at] <= ranges[i].exit.hi[at];
+        csg_tiler_note_leaf(tiler, node.leaf, i);
+        tiler->terms->known[node.leaf] = CSG_VARIES;
+        tree->data[num] = node;
+        tree->data[num].end = num + 1;
+        num += varies;
     }
     end_flat(tree, num);
-    return true;
+    tiler->opaque = tiler->parts.flat.opaque[at] != 0;
 }
 
 /* The same as fold, for a flat tree. */
 static void fold_flat(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
     struct csg_tree *tree = &task->tree;
-    uint8_t *known = tiler->terms->known;
-    struct csg_range common;
-    bool any = meet_flat(tiler, tree, &common); /* is left */
-    common.hi = csg_smaller(common.hi, any ? front_of(tiler, tree) : 0);
-    uint32_t num = 1;
-    for (uint32_t i = 1; i < tree->num && any; i++) {
-        const uint32_t leaf = tree->data[i].leaf;
-        known[leaf] = judge(csg_tiler_range(tiler, leaf), common);
-        narrow(csg_tiler_range(tiler, leaf), common);
-        any = keep_flat(tree, i, known[leaf], &num);
-    }
-    end_flat(tree, num);
+    const bool any = tiler->parts.flat.empty[tiler->parts.at] == 0; /* is left */
+    if (any)
+        take_part(tiler, tree);
     if (any && csg_dominate(tiler->terms, tree, tiler->ranges.data, csg_tiler_box(tiler),
                             tiler->members.data)) {
-        num = 1;
+        uint32_t num = 1;
         for (uint32_t i = 1; i < tree->num; i++)
-            keep_flat(tree, i, known[tree->data[i].leaf], &num);
+            keep_flat(tree, i, tiler->terms->known[tree->data[i].leaf], &num);
         end_flat(tree, num);
     }
     if (tree->num == 2)
@@ -304,7 +288,7 @@ bool csg_tiler_fold(struct csg_tiler *tiler, struct csg_tile_task *task)
     if (!reserve(tiler, task->tree.num))
         return false;
     csg_band_list_narrow(&task->bands, tiler->terms, csg_tiler_box(tiler), tiler->stacks.data);
-    if (task->flat) {
+    if (csg_task_is_judged(tiler, task)) {
         fold_flat(tiler, task);
         return true;
     }

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tile/front.h"
 
-/* Keys tried: of objects with more in front of each other than that, what is behind stays. */
-#define MAX_JUMPS 32
-
 struct front {
     const struct csg_terms *terms;
     const struct csg_tree *tree;
@@ -16,12 +13,6 @@ static const struct csg_leaf_range *range_of(const struct front *front, uint32_t
     return &front->ranges[front->terms->index[leaf]];
 }
 
-/* Just behind a key. */
-static double behind(double key)
-{
-    return key + 1e-9 * (1 + fabs(key));
-}
-
 /* The first key from key on at which the leaf's literal is certainly true for all rays of the tile;
  * INFINITY: there is none. */
 static double next_of_leaf(const struct csg_leaf_range *leaf, bool negated, double key)
@@ -29,8 +20,8 @@ static double next_of_leaf(const struct csg_leaf_range *leaf, bool negated, doub
     if (negated)
         return key < leaf->entry.lo || key > leaf->exit.hi || leaf->entry.lo > leaf->exit.hi
                    ? key
-                   : behind(leaf->exit.hi);
-    const double begin = key > leaf->entry.hi ? key : behind(leaf->entry.hi);
+                   : csg_behind(leaf->exit.hi);
+    const double begin = key > leaf->entry.hi ? key : csg_behind(leaf->entry.hi);
     return csg_is_solid(leaf) && begin < leaf->exit.lo ? begin : INFINITY;
 }
 
@@ -73,7 +64,7 @@ bool csg_front_find(const struct csg_terms *terms, const struct csg_tree *tree,
 {
     const struct front front = {terms, tree, ranges, room};
     double at = -(double)CSG_KEY_MAX;
-    for (int i = 0; i < MAX_JUMPS && at < *key; i++) {
+    for (int i = 0; i < CSG_FRONT_JUMPS && at < *key; i++) {
         const double next = next_of_tree(&front, at, *key);
         if (next == at) {
             *key = at;

@@ -11,6 +11,15 @@
 #include "csg/tree.h"
 #include "tile/range.h"
 
+/* Just behind a key. */
+static inline double csg_behind(double key)
+{
+    return key + 1e-9 * (1 + fabs(key));
+}
+
+/* Keys tried: of objects with more in front of each other than that, what is behind stays. */
+#define CSG_FRONT_JUMPS 32
+
 /* Lowers *key to the first one at which every ray of the tile is inside; false: there is none
  * before it, or it was not found. ranges: of the terms' leaves, in the tile. room: for as many as
  * tree has nodes. */

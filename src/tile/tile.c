@@ -297,7 +297,7 @@ static bool run(struct csg_tiler *tiler, struct csg_tile_task *task)
     for (int i = 0; i < tiler->parts.num; i++)
         tiler->parts.rects[i] = csg_tile_rect(&parts[i]);
     const bool coarse = is_coarse(tiler, task);
-    bool ok = coarse || csg_tiler_look(tiler, &task->tree);
+    bool ok = coarse || csg_tiler_look(tiler, task);
     for (int i = 0; i < tiler->parts.num && ok; i++)
         ok = csg_task_copy(tiler, task, &parts[i]) &&
              (coarse ? sift_and_leave(tiler, &parts[i]) : fold_and_settle(tiler, &parts[i], i));
@@ -312,7 +312,7 @@ static bool begin(struct csg_tiler *tiler, struct csg_tile_task *task)
         return sift_and_leave(tiler, task);
     tiler->parts.num = 1;
     tiler->parts.rects[0] = csg_tile_rect(task);
-    if (csg_tiler_sift(tiler, task) && csg_tiler_look(tiler, &task->tree))
+    if (csg_tiler_sift(tiler, task) && csg_tiler_look(tiler, task))
         return fold_and_settle(tiler, task, 0);
     csg_task_drop(tiler, task);
     return false;
@@ -360,7 +360,6 @@ void csg_tiler_finish(struct csg_tiler *tiler)
     csg_tree_room_finish(&tiler->room);
     free(tiler->tasks.data);
     free(tiler->parts.ranges.data);
-    free(tiler->parts.missed.data);
     free(tiler->ranges.data);
     free(tiler->origins.data);
     free(tiler->members.data);

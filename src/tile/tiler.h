@@ -6,6 +6,7 @@
 
 #include "csg/tree.h"
 #include "tile/bands.h"
+#include "tile/flat.h"
 #include "tile/range.h"
 #include "tile/scan.h"
 #include "tile/tile.h"
@@ -26,7 +27,7 @@ struct csg_tile_parts {
     struct csg_tile_box tiles[CSG_TILE_LANES];
     struct csg_tile_boxes boxes; /* the same, for csg_ranges_of_leaf */
     CSG_ARRAY(struct csg_leaf_ranges) ranges;
-    CSG_ARRAY(uint8_t) missed; /* by the rectangles of leaves: bits of parts */
+    struct csg_flat flat;
 };
 
 /* Keys that a node's set is within, and its complement. */
@@ -116,15 +117,18 @@ void csg_task_drop(struct csg_tiler *tiler, struct csg_tile_task *task);
 bool csg_tiler_misses(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                       uint32_t leaf);
 
-/* Finds what the parts' rays meet of a tree. false: out of memory. */
-bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tree *tree);
+/* Finds what the parts' rays meet of a task's tree. false: out of memory. */
+bool csg_tiler_look(struct csg_tiler *tiler, const struct csg_tile_task *task);
 
-/* Whether the part at hand misses the leaf at node i of the tree that was looked at by its
- * rectangle. */
-bool csg_tiler_is_missed(const struct csg_tiler *tiler, uint32_t i);
+/* Whether that tells what matters in the parts, too. */
+static inline bool csg_task_is_judged(const struct csg_tiler *tiler,
+                                      const struct csg_tile_task *task)
+{
+    return task->flat && tiler->terms->stacks.list.num == 0;
+}
 
 /* Finds the range of the leaf at node i of the tree that was looked at, in the part at hand. */
-struct csg_leaf_range *csg_tiler_note_leaf(struct csg_tiler *tiler, uint32_t leaf, uint32_t i);
+void csg_tiler_note_leaf(struct csg_tiler *tiler, uint32_t leaf, uint32_t i);
 
 /* ---- fold.c ---- */
 
