@@ -260,17 +260,13 @@ bool csg_part_read(struct csg_walk *walk, uint32_t begin, uint32_t end, bool in_
     if (!reader.exact)
         builder->facets = CSGCAST_FACETS_AS_WRITTEN;
     const bool outer_points_only = walk->points_only, outer_is_operand = walk->is_operand;
-    const bool outer_is_in_pieces = walk->is_in_pieces;
     walk->points_only = wanted == CSG_WANT_POINTS;
     walk->is_operand |= wanted != CSG_WANT_AROUND;
-    if (wanted != CSG_WANT_AROUND)
-        walk->is_in_pieces = wanted == CSG_WANT_PIECES;
     const bool ok = csg_part_open(part, false) && csg_array_push(&reader.frames, root)
                         ? read_nodes(&reader, begin, end)
                         : csg_walk_no_memory(reader.walk);
     walk->points_only = outer_points_only;
     walk->is_operand = outer_is_operand;
-    walk->is_in_pieces = outer_is_in_pieces;
     builder->facets = facets;
     free(reader.frames.data);
     return ok;

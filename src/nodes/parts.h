@@ -16,7 +16,6 @@ enum csg_part_wanted {
     CSG_WANT_EXACT,
     CSG_WANT_AROUND, /* what is wanted of the compound itself, which only moves what it reads */
     CSG_WANT_FACETS, /* no shape has a quadric; what cannot be facetted is reported and left out */
-    CSG_WANT_PIECES, /* the same, of convex pieces where there are not too many: it will be cut */
     CSG_WANT_POINTS, /* facets, but a mesh that nothing is cut from is only its points: a surface
                       * that may be open or flat */
 };

@@ -204,8 +204,7 @@ static bool add_solid(struct csg_walk *walk, const struct csg_mesh *mesh,
     const bool is_inner = walk->is_operand;
     /* Planes of one face that rounding bent apart leave pieces between them that stick out. */
     const bool is_bent = mesh->rounding > CSG_MESH_ON_PLANE * mesh->size;
-    const bool is_whole = is_bent && !walk->is_in_pieces;
-    const size_t max_faces = is_whole ? 0 : is_inner ? max_summed_faces : max_cut_faces;
+    const size_t max_faces = is_bent ? 0 : is_inner ? max_summed_faces : max_cut_faces;
     if (gaps->num == 0 || is_inner)
         result = csg_mesh_decompose(mesh, max_faces, is_inner ? SIZE_MAX : max_planes, part);
     if (result == CSG_MESH_TOO_LARGE)

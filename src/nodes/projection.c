@@ -2,7 +2,8 @@
 /*
  * projection(cut): of OpenSCAD's facets, as unions of convex sets. The shadow of a convex set, and
  * its section with z = 0, are the hulls of points that are easily found. The shadow of a surface is
- * that of its triangles.
+ * that of its triangles. Where there is a surface, the section of a Boolean is that Boolean of its
+ * operands' sections.
  */
 #include <stdlib.h>
 
@@ -11,11 +12,10 @@
 #include "nodes/sets.h"
 #include "nodes/transforms.h"
 #include "plane/outline.h"
+#include "plane/section.h"
 #include "plane/wrap.h"
 #include "polyhedra/hull.h"
 
-/* Corners nearer to z = 0 than this share of the largest coordinate lie on it. */
-#define ON_PLANE 1e-12
 #define WIDER 1e-9
 
 /* Sets of more corners are asked face by face. */
@@ -32,6 +32,7 @@ struct projection {
     bool facetted, cut;
     bool has_area;      /* of what has been drawn */
     bool has_triangles; /* of surfaces: many figures that lie side by side */
+    bool has_tree;      /* a Boolean of sections has been drawn */
 };
 
 static bool add_point(const struct projection *projection, struct csg_flat_points *to,
@@ -102,7 +103,7 @@ static bool add_section(const struct projection *projection, const struct csg_ve
     bool ok = true;
     for (size_t i = 0; i < num; i++)
         size = fmax(size, fabs(corners[i].z));
-    struct section section = {projection, corners, ON_PLANE * size, to};
+    struct section section = {projection, corners, CSG_SECTION_ON_PLANE * size, to};
     for (size_t i = 0; i < num && ok; i++)
         if (fabs(corners[i].z) <= section.near)
             ok = add_point(projection, to, corners[i]);
@@ -183,8 +184,8 @@ static void widen_cuts(struct csg_part *part)
         const double size = csg_length(box.lo) + csg_length(box.hi);
         for (size_t j = 0; j < shape->num_planes; j++) {
             struct csg_plane *plane = &shape->planes[j];
-            if (hypot(plane->normal.x, plane->normal.y) < ON_PLANE &&
-                fabs(plane->offset) <= ON_PLANE * size)
+            if (hypot(plane->normal.x, plane->normal.y) < CSG_SECTION_ON_PLANE &&
+                fabs(plane->offset) <= CSG_SECTION_ON_PLANE * size)
                 plane->offset += WIDER * size;
         }
     }
@@ -203,6 +204,105 @@ static enum csg_hull_result evaluate(const struct projection *projection, struct
     return csg_part_evaluate(part, false, &sets->convex);
 }
 
+/* ---- sections of surfaces ----------------------------------------------------------------- */
+
+static bool has_closed_surfaces(const struct csg_part *part)
+{
+    for (size_t i = 0; i < part->shapes.num; i++)
+        if (part->shapes.data[i].surface && part->shapes.data[i].surface->open)
+            return false;
+    return count_triangles(part) > 0;
+}
+
+static bool add_surface_section(struct projection *projection, const struct csg_shape *shape)
+{
+    struct csg_surface *surface = csg_surface_placed(shape->surface, &shape->frame);
+    const size_t before = projection->drawing->points.num;
+    const bool ok = surface && csg_surface_section(surface, &projection->space->map,
+                                                   projection->rounding, projection->drawing);
+    projection->has_area |= projection->drawing->points.num > before;
+    csg_surface_destroy(surface);
+    return ok;
+}
+
+static enum csg_hull_result add_leaf_section(struct projection *projection,
+                                             const struct csg_shape *shape)
+{
+    struct csg_points corners = {0};
+    enum csg_hull_result result = CSG_HULL_DONE;
+    bool ok = true;
+    if (shape->surface) {
+        ok = add_surface_section(projection, shape);
+    } else {
+        result = csg_shape_corners(shape, &corners);
+        ok =
+            result != CSG_HULL_DONE || add_set(projection, corners.points.data, corners.points.num);
+    }
+    free(corners.points.data);
+    return ok ? result : CSG_HULL_NO_MEMORY;
+}
+
+/* What every section is within. */
+static bool add_surroundings(struct projection *projection, const struct csg_part *part)
+{
+    struct csg_box box = csg_box_empty;
+    struct csg_flat_points corners = {0};
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        const struct csg_shape *shape = &part->shapes.data[i];
+        const struct csg_box mapped = csg_box_map(&shape->frame, &shape->bounds);
+        box = csg_box_union(&box, &mapped);
+    }
+    const struct csg_vec3 size = csg_sub(box.hi, box.lo);
+    bool ok = true;
+    for (int i = 0; i < 4 && ok; i++) {
+        const double x = i & 1 ? box.hi.x + size.x : box.lo.x - size.x;
+        const double y = i & 2 ? box.hi.y + size.y : box.lo.y - size.y;
+        ok = add_point(projection, &corners, csg_vec3(x, y, 0));
+    }
+    ok = ok && csg_flat_points_wrap(&corners) &&
+         csg_flat_points_draw(projection->drawing, &corners, projection->rounding);
+    free(corners.list.data);
+    return ok;
+}
+
+static enum csg_hull_result add_literal(struct projection *projection, const struct csg_part *part,
+                                        const struct csg_node *node)
+{
+    const struct csg_shape *shape = &part->shapes.data[node->leaf];
+    const uint32_t draw = (uint32_t)projection->drawing->nodes.num;
+    if (!node->negated)
+        return add_leaf_section(projection, shape);
+    if (!csg_drawing_open(projection->drawing, CSG_DRAW_DIFFERENCE) ||
+        !add_surroundings(projection, part))
+        return CSG_HULL_NO_MEMORY;
+    const enum csg_hull_result result = add_leaf_section(projection, shape);
+    csg_drawing_close(projection->drawing, draw);
+    return result;
+}
+
+/* The part's tree, node by node. */
+static enum csg_hull_result add_tree(struct projection *projection, const struct csg_part *part)
+{
+    CSG_ARRAY(struct csg_open_node) open = {0}; /* of the drawing */
+    enum csg_hull_result result = CSG_HULL_DONE;
+    for (uint32_t i = 0; i < part->tree.num && result == CSG_HULL_DONE; i++) {
+        while (open.num > 0 && open.data[open.num - 1].old_end <= i)
+            csg_drawing_close(projection->drawing, open.data[--open.num].index);
+        const struct csg_node *node = &part->tree.data[i];
+        const struct csg_open_node opened = {(uint32_t)projection->drawing->nodes.num, node->end};
+        if (node->op == CSG_LEAF)
+            result = add_literal(projection, part, node);
+        else if (!csg_drawing_open(projection->drawing,
+                                   node->op == CSG_AND ? CSG_DRAW_INTERSECTION : CSG_DRAW_UNION) ||
+                 !csg_array_push(&open, opened))
+            result = CSG_HULL_NO_MEMORY;
+    }
+    while (open.num > 0)
+        csg_drawing_close(projection->drawing, open.data[--open.num].index);
+    free(open.data);
+    return result;
+}
+
 static bool project(struct projection *projection, uint32_t node, struct csg_part *part)
 {
     struct csg_walk *walk = projection->walk;
@@ -212,7 +312,9 @@ static bool project(struct projection *projection, uint32_t node, struct csg_par
         projection->facetted |= part->shapes.data[i].facetted;
     }
     projection->rounding *= csg_space_stretch(projection->space);
-    const enum csg_hull_result result = evaluate(projection, part, &sets);
+    projection->has_tree = projection->cut && !part->is_too_large && has_closed_surfaces(part);
+    const enum csg_hull_result result =
+        projection->has_tree ? add_tree(projection, part) : evaluate(projection, part, &sets);
     bool ok = true;
     if (result == CSG_HULL_DONE)
         ok = add_sets(projection, &sets.convex) && add_surfaces(projection, &sets);
@@ -220,7 +322,8 @@ static bool project(struct projection *projection, uint32_t node, struct csg_par
         ok = csg_walk_no_memory(walk);
     else
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
-    if (projection->cut && !projection->has_area && sets.convex.ends.num > 0)
+    if (projection->cut && !projection->has_area &&
+        (projection->has_tree || sets.convex.ends.num > 0))
         csg_walk_warning(walk, node, "nothing of what is in it is at z = 0; the section is empty");
     csg_sets_finish(&sets);
     return ok;
@@ -232,10 +335,10 @@ static bool unite(const struct projection *projection, uint32_t node, uint32_t d
 {
     struct csg_walk *walk = projection->walk;
     const bool as_written = walk->builder->facets == CSGCAST_FACETS_AS_WRITTEN;
-    if (as_written ? !projection->cut : !projection->has_triangles)
+    if (as_written ? !projection->cut : !projection->has_triangles && !projection->has_tree)
         return true;
     const enum csg_sweep_result result = csg_drawing_evaluate(projection->drawing, draw);
-    if (result == CSG_SWEEP_TOO_LARGE && !as_written)
+    if (result == CSG_SWEEP_TOO_LARGE && (projection->has_tree || !as_written))
         csg_walk_unsupported(walk, node, "projection: what is in it has too many pieces");
     return result != CSG_SWEEP_NO_MEMORY || csg_walk_no_memory(walk);
 }
@@ -250,7 +353,7 @@ bool csg_figure_projection(struct csg_walk *walk, uint32_t node, const struct cs
     struct csg_map inverse;
     bool ok = csg_drawing_open(drawing, CSG_DRAW_UNION) || csg_walk_no_memory(walk);
     if (ok && !space->is_empty && csg_map_invert(&space->map, &inverse))
-        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_PIECES, &part) &&
+        ok = csg_part_read(walk, node + 1, end, space->in_boolean, CSG_WANT_FACETS, &part) &&
              project(&projection, node, &part);
     csg_drawing_close(drawing, draw);
     csg_part_finish(&part);

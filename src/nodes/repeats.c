@@ -73,7 +73,7 @@ static bool fill_key(const struct csg_walk *walk, uint32_t node, bool in_boolean
     const uint32_t end = csg_walk_node(walk, node)->end;
     const char wanted[] = {
         (char)in_boolean,           (char)walk->points_only,
-        (char)builder->facets,      (char)(walk->is_operand + walk->is_in_pieces),
+        (char)builder->facets,      (char)walk->is_operand,
         (char)walk->is_see_through, (char)(csg_walk_node(walk, node)->twin != CSG_NO_TWIN)};
     bool ok = csg_bytes_append(key, wanted, sizeof wanted);
     for (uint32_t i = node; i < end && ok; i++) {

@@ -19,7 +19,6 @@ struct csg_walk {
     int depth;                         /* of compounds inside of compounds */
     const struct csg_resized *resized; /* the innermost one; NULL: none */
     bool is_operand;     /* another compound works on what is read, and wants convex pieces of it */
-    bool is_in_pieces;   /* and cuts them, which it does with no surface */
     bool points_only;    /* of what is read only the points matter, as for a hull */
     bool is_see_through; /* what is read shows what is behind it: %, #, a translucent colour */
     bool was_placed;     /* something read since this was false depends on what is around it */

@@ -38,7 +38,7 @@ static bool draw(const char *text, float z[SIZE * SIZE])
 static void check_section(const char *solid)
 {
     static float lower[SIZE * SIZE], section[SIZE * SIZE];
-    char text[512];
+    char text[1024];
     int num = 0, num_wrong = 0;
     snprintf(text, sizeof text,
              "difference() { rotate([20, 31, 7]) %s translate([-9, -9, 0]) cube(18); }", solid);
@@ -54,6 +54,14 @@ static void check_section(const char *solid)
     CHECK(num > 100 && num_wrong == 0, "%s: %d of %d pixels", solid, num_wrong, num);
 }
 
+/* Six digits bend its faces apart, so that it is a surface of triangles. */
+#define PART                                                                                       \
+    "polyhedron(points = [[-3, -3, -1.01235], [3.12346, -3, -1.01235], [3.12346, 3.12346, "        \
+    "-1.01235], [0.01235, -1.01235, -1.01235], [-3, 3.12346, -1.01235], [-3, -3, 1.12345], "       \
+    "[3.12346, -3, 1.12345], [3.12346, 3.12346, 1.12345], [0.01235, -1.01235, 1.12345], "          \
+    "[-3, 3.12346, 1.12345]], faces = [[0, 1, 2, 3, 4], [9, 8, 7, 6, 5], [1, 0, 5, 6], "           \
+    "[2, 1, 6, 7], [3, 2, 7, 8], [4, 3, 8, 9], [0, 4, 9, 5]]);"
+
 int main(void)
 {
     struct rusage usage;
@@ -61,6 +69,9 @@ int main(void)
     check_section("translate([0, 0, 0.7]) sphere(r = 3, $fn = 48);");
     check_section("cylinder(h = 2, r = 3, center = true, $fn = 300);");
     check_section("translate([0, 0, 0.7]) sphere(r = 3, $fn = 200);");
+    check_section(PART);
+    check_section("difference() { " PART " cylinder(h = 9, r = 1.5, center = true, $fn = 5); }");
+    check_section("difference() { cube([5, 5, 3], center = true); mirror([1, 0, 0]) " PART " }");
     getrusage(RUSAGE_SELF, &usage);
     CHECK(usage.ru_maxrss / 1024 < MAX_MEGABYTES, "%ld MB", usage.ru_maxrss / 1024);
     return num_failed != 0;
