@@ -26,6 +26,13 @@ bool csg_structure_is_small(const struct csg_structure *structure)
     return true;
 }
 
+/* Crowds draw such solids; those of more planes, and what is not convex, are drawn one by one. */
+static bool is_single(const struct csg_structure *structure)
+{
+    return structure->num == 1 && shape_of(structure, 0)->convex &&
+           shape_of(structure, 0)->num_planes <= CSG_PLAN_MAX_PLANES;
+}
+
 /* Of what straight-line text depends on: flags, planes and file order of the leaves. */
 static uint64_t hash_of(const struct csg_structure *structure)
 {
@@ -86,7 +93,7 @@ bool csg_plan_count_structures(struct csg_plan *plan, const struct csgcast_scene
     for (size_t i = 0; i < num_objects; i++) {
         const struct csg_structure structure = {plan->program.data + plan->begin[i],
                                                 plan->begin[i + 1] - plan->begin[i], scene};
-        plan->structures[i] = structure.num == 1 ? SINGLE
+        plan->structures[i] = is_single(&structure) ? SINGLE
                               : csg_structure_is_small(&structure)
                                   ? count(tallies, hash_of(&structure))
                                   : RARE;

@@ -36,8 +36,8 @@ bool csg_structure_is_small(const struct csg_structure *structure);
 /* Finds the plan's common structures; its steps are there. false: out of memory. */
 bool csg_plan_count_structures(struct csg_plan *plan, const struct csgcast_scene *scene);
 
-/* Whether the object is a single solid, or one of the scene's small structures that are met most
- * often. */
+/* Whether the object is a single solid that crowds hold, or one of the scene's small structures that
+ * are met most often. */
 bool csg_plan_is_common(const struct csg_plan *plan, size_t object);
 
 #endif

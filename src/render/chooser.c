@@ -12,7 +12,7 @@
 
 /* The same for objects of any steps whose structure has no program of its own, which the loop
  * draws. */
-#define MAX_LOOP_STEP_PIXELS 4e3
+#define MAX_LOOP_STEP_PIXELS 2e3
 
 struct csg_structure csg_chooser_structure(const struct csg_request *request, uint32_t object)
 {
@@ -21,9 +21,11 @@ struct csg_structure csg_chooser_structure(const struct csg_request *request, ui
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-static bool is_common(const struct csg_request *request, size_t object)
+/* A picture alone has programs of their own for single solids only, whichever they are. */
+static bool may_be_straight(const struct csg_request *request,
+                            const struct csg_structure *structure, size_t object)
 {
-    return csg_plan_is_common(request->scene->plan, object);
+    return request->shared ? structure->num == 1 : csg_plan_is_common(request->scene->plan, object);
 }
 
 /* Whether a small structure with a program of its own is drawn in one piece only where it covers
@@ -58,7 +60,7 @@ bool csg_draws_whole(size_t object, double area, const void *user)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;
     const double cost = (double)structure.num * area;
     const bool small = csg_structure_is_small(&structure);
-    if (is_common(request, object) || structure.num == 1)
+    if (may_be_straight(request, &structure, object))
         return small && (!csg_chooser_may_tile(request, &structure) || cost <= MAX_STEP_PIXELS);
     return small && (request->resolver >= 0 || request->textbook || cost <= MAX_LOOP_STEP_PIXELS);
 }
@@ -86,8 +88,7 @@ static bool can_be_straight(struct csg_chooser *chooser, const struct csg_struct
 {
     return !draw->around_eye && csg_structure_is_small(structure) &&
            (chooser->request->textbook || has_exits(chooser, structure, draw)) &&
-           (structure->num == 1 || !chooser->request->shared) &&
-           is_common(chooser->request, draw->object) &&
+           may_be_straight(chooser->request, structure, draw->object) &&
            csg_chooser_has_room(chooser, structure, draw->stiff);
 }
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Which structures of a scene have programs of their own: those met most often, wherever they stand
- * in the text, whatever their sizes and places; single solids take no room among them.
+ * in the text, whatever their sizes and places. Single solids take no room among them where crowds
+ * hold them; a hexagonal prism is one structure more.
  */
 #include "csg/structure.h"
 
@@ -54,6 +55,27 @@ static void check_common(void)
     csgcast_scene_destroy(scene);
 }
 
+/* So many prisms beside structures that take all the room, each of them met twice. */
+static void check_prisms(int num_prisms, bool wanted)
+{
+    static char text[MAX_TEXT];
+    int place = 0;
+    text[0] = '\0';
+    for (int i = 0; i < NUM_TWICE * CSG_MAX_STRAIGHT_PROGRAMS; i++)
+        add_object(text, place++, 1 + i % CSG_MAX_STRAIGHT_PROGRAMS, 10);
+    for (int i = 0; i < num_prisms; i++)
+        sprintf(text + strlen(text), "translate([%d, 0, 0]) cylinder(h = 9, r = 4, $fn = 6);\n",
+                20 * place++);
+    struct csgcast_scene *scene = load(text);
+    size_t num_programs = 0;
+    for (size_t i = 0; i < CSG_PLAN_MAX_STRUCTURES; i++)
+        num_programs += scene->plan->is_common[i];
+    CHECK(num_programs == CSG_MAX_STRAIGHT_PROGRAMS, "%zu programs", num_programs);
+    CHECK(csg_plan_is_common(scene->plan, scene->objects->num - 1) == wanted,
+          "%d prisms: program of their own", num_prisms);
+    csgcast_scene_destroy(scene);
+}
+
 /* The order of the leaves in the text decides which face shows where two coincide. */
 static void check_order(void)
 {
@@ -70,6 +92,8 @@ static void check_order(void)
 int main(void)
 {
     check_common();
+    check_prisms(1, false);
+    check_prisms(NUM_TWICE + 1, true);
     check_order();
     return num_failed != 0;
 }
