@@ -68,15 +68,14 @@ static double area_of(const struct csg_rect *rect)
 
 /* What cells would spare this object in this frame, in tests, as samples of its tiles say; 0:
  * nothing. false: out of memory. */
-static bool find_spared(const struct csg_terms *terms, const struct csg_object *object,
-                        const struct csg_rect *rect, const struct csg_draw *draw, double limit,
-                        double *spared)
+static bool find_spared(const struct csg_terms *terms, const struct csg_rect *rect,
+                        const struct csg_draw *draw, double limit, double *spared)
 {
     const double area = area_of(rect);
     double tests;
     if (csg_cells_recall(terms->scene, draw->object, area, spared))
         return true;
-    if (!csg_tile_sample(terms, object, rect, draw, FEW_TESTS * limit, MANY_TESTS * limit, &tests))
+    if (!csg_tile_sample(terms, rect, draw, FEW_TESTS * limit, MANY_TESTS * limit, &tests))
         return false;
     *spared = fmax(tests - limit, 0) * area;
     csg_cells_remember(terms->scene, draw->object, area, *spared);
@@ -120,11 +119,11 @@ static bool choose(const struct csg_terms *terms, const struct csg_object *objec
     draw->nested = is_nested(terms, object);
     draw->bunched = csg_bunches_can_hold(terms->scene, object, &quadrics);
     const double limit = find_limit(terms, object, draw);
-    if (!find_spared(terms, object, rect, draw, limit, &spared))
+    if (!find_spared(terms, rect, draw, limit, &spared))
         return false;
     if (spared > 0)
         *cells = ask_for_cells(terms, draw, spared);
-    else if (csg_cells_can_hold(terms->scene, object))
+    else if (!terms->seen.is_part && csg_cells_can_hold(terms->scene, object))
         *max_tests = (size_t)(limit * area_of(rect) + (draw->nested ? NESTED_COST : 1) *
                                                           csg_cells_cost(terms->scene, object));
     return true;

@@ -60,38 +60,60 @@ static void combine_rects(struct csg_rect *into, const struct csg_rect *rect, bo
     }
 }
 
-static struct csg_rect node_rect(const struct packer *packer, const struct csg_object *object,
-                                 uint32_t i)
+static struct csg_rect node_rect(const struct packer *packer, uint32_t i)
 {
     const struct csg_screen *screen = &packer->frame->screen;
-    const struct csg_node *nodes = packer->scene->trees[object->layer].data;
+    const struct csg_seen *seen = &packer->terms.seen;
+    const struct csg_node *nodes = seen->nodes;
     const bool all = nodes[i].op == CSG_AND;
     struct csg_rect rect = {{0, 0}, {screen->width, screen->height}};
     if (!all)
         rect = (struct csg_rect){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
-        const struct csg_rect *operand = &packer->rects.data[child - object->begin];
+        const struct csg_rect *operand = &packer->rects.data[child - seen->begin];
         if (all || !is_empty(operand))
             combine_rects(&rect, operand, all);
     }
     return rect;
 }
 
-/* What the Boolean leaves of its leaves' rectangles, and of the object's box. */
-static bool object_rect(struct packer *packer, const struct csg_object *object,
+/* What the Boolean leaves of the rectangles of the leaves that are seen, within rect. */
+static bool narrow_rect(struct packer *packer, struct csg_rect *rect)
+{
+    const struct csg_seen *seen = &packer->terms.seen;
+    packer->rects.num = 0;
+    if (!csg_array_reserve(&packer->rects, seen->end - seen->begin))
+        return false;
+    for (uint32_t i = seen->end; i-- > seen->begin;)
+        packer->rects.data[i - seen->begin] = seen->nodes[i].op == CSG_LEAF
+                                                  ? leaf_rect(packer, &seen->nodes[i])
+                                                  : node_rect(packer, i);
+    combine_rects(rect, &packer->rects.data[0], true);
+    return true;
+}
+
+static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
+                        const struct csg_rect *rect)
+{
+    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+    return index != CSG_WHOLE_LAYER &&
+           (params->textbook || params->whole(index, area, params->user));
+}
+
+/* Where the object is, and what of it is seen; an empty one: nothing. false: out of memory. */
+static bool object_rect(struct packer *packer, const struct csg_object *object, uint32_t index,
                         struct csg_rect *rect)
 {
-    const struct csg_node *nodes = packer->scene->trees[object->layer].data;
-    packer->rects.num = 0;
-    if (!csg_array_reserve(&packer->rects, object->end - object->begin))
+    const struct csg_frame_params *params = packer->params;
+    *rect = csg_screen_rect(&packer->frame->screen, &csg_map_identity, &object->box);
+    if (is_empty(rect))
+        return true;
+    if (!csg_terms_see(&packer->terms, object,
+                       params->cells == CSG_CELLS_ALWAYS || draws_whole(params, index, rect)))
         return false;
-    for (uint32_t i = object->end; i-- > object->begin;)
-        packer->rects.data[i - object->begin] =
-            nodes[i].op == CSG_LEAF ? leaf_rect(packer, &nodes[i]) : node_rect(packer, object, i);
-    *rect = packer->rects.data[0];
-    const struct csg_rect by_box =
-        csg_screen_rect(&packer->frame->screen, &csg_map_identity, &object->box);
-    combine_rects(rect, &by_box, true);
+    if (packer->terms.seen.begin < packer->terms.seen.end)
+        return narrow_rect(packer, rect);
+    *rect = (struct csg_rect){{1, 1}, {0, 0}};
     return true;
 }
 
@@ -162,13 +184,6 @@ static void note_stiff(struct packer *packer, uint32_t index)
                                                                    .resolved = terms->error};
 }
 
-static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
-                        const struct csg_rect *rect)
-{
-    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
-    return params->whole(index, area, params->user);
-}
-
 static bool tile(struct packer *packer, const struct csg_object *object,
                  const struct csg_rect *rect, const struct csg_draw *draw, size_t max_tests,
                  size_t *tests)
@@ -194,28 +209,44 @@ static bool add_tiles(struct packer *packer, const struct csg_object *object,
                  : tile(packer, object, rect, draw, SIZE_MAX, &tests);
 }
 
+/* The terms of what is seen, and what the draw has of them. */
+static bool fill_terms(struct packer *packer, const struct csg_object *object,
+                       const struct csg_rect *rect, struct csg_draw *draw)
+{
+    const bool ok = csg_terms_fill(&packer->terms, object, rect);
+    note_stiff(packer, draw->object);
+    draw->translucent = packer->terms.translucent;
+    draw->stiff = packer->terms.stiff;
+    draw->precise = packer->terms.precise;
+    return ok;
+}
+
+/* ... of all the object, which cells ask for: in float, unless a leaf that is not seen asks for
+ * more. */
+static bool fill_all(struct packer *packer, const struct csg_object *object,
+                     const struct csg_rect *rect, struct csg_draw *draw)
+{
+    return csg_terms_see(&packer->terms, object, true) && fill_terms(packer, object, rect, draw);
+}
+
 static bool add_object(struct packer *packer, const struct csg_object *object, uint32_t index)
 {
     struct csg_rect rect;
-    if (!object_rect(packer, object, &rect))
+    if (!object_rect(packer, object, index, &rect))
         return false;
     if (is_empty(&rect) || (has_many(packer) && !has_pixel(&rect)))
         return true;
     const struct csg_precision precision =
         csg_frame_precision(packer->frame, packer->scene, index, object->layer);
     packer->terms.precise = precision.precise;
-    if (!csg_terms_fill(&packer->terms, object, &rect))
-        return false;
-    note_stiff(packer, index);
     struct csg_draw draw = {.object = index, .layer = object->layer, .paint = object->paint};
-    draw.translucent = packer->terms.translucent;
-    draw.single = packer->terms.leaves.num == 1 &&
+    if (!fill_terms(packer, object, &rect, &draw))
+        return false;
+    draw.single = packer->terms.leaves.num == 1 && !packer->terms.seen.is_part &&
                   !(packer->terms.leaves.data[0].flags &
                     (CSG_RECORD_GAP | CSG_RECORD_NEGATED | CSG_RECORD_SURFACE));
     draw.has_rear = (draw.translucent || draw.paint == CSG_LAYER_HIGHLIGHT) &&
                     index != CSG_WHOLE_LAYER && csg_object_is_one_node(packer->scene, object);
-    draw.stiff = packer->terms.stiff;
-    draw.precise = packer->terms.precise;
     draw.around_eye =
         index == CSG_WHOLE_LAYER || csg_screen_eye_is_in(&packer->frame->screen, &object->box);
     const struct csg_cells *cells = NULL;
@@ -223,13 +254,15 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     if (!draw.has_rear &&
         !csg_cells_choose(&packer->terms, object, &rect, &draw, &cells, &max_tests))
         return false;
-    if (cells)
+    const bool is_part = packer->terms.seen.is_part;
+    if (cells && is_part && !fill_all(packer, object, &rect, &draw))
+        return false;
+    if (cells && !draw.precise)
         return csg_walk_add(&packer->terms, cells, &rect, &draw);
-    if (index != CSG_WHOLE_LAYER && packer->terms.views.num == 0 &&
-        (packer->params->textbook || draws_whole(packer->params, index, &rect)))
+    if (!is_part && packer->terms.views.num == 0 && draws_whole(packer->params, index, &rect))
         return add_whole(packer, &rect, &draw);
     draw.tile = true;
-    if (index != CSG_WHOLE_LAYER && csg_tile_is_small(object, &rect))
+    if (index != CSG_WHOLE_LAYER && !is_part && csg_tile_is_small(object, &rect))
         return csg_tile_queue_add(&packer->queue, &packer->terms, object, &rect, &draw);
     return add_tiles(packer, object, &rect, &draw, max_tests);
 }

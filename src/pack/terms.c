@@ -19,6 +19,7 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
 
 void csg_terms_finish(struct csg_terms *terms)
 {
+    csg_seen_finish(&terms->seen);
     csg_surface_views_clear(&terms->views);
     csg_stacks_finish(&terms->stacks);
     csg_bands_finish(&terms->bands);
@@ -32,6 +33,8 @@ void csg_terms_finish(struct csg_terms *terms)
 void csg_terms_take(struct csg_terms *to, struct csg_terms *from)
 {
     *to = *from;
+    to->seen = (struct csg_seen){
+        .nodes = from->seen.nodes, .begin = from->seen.begin, .end = from->seen.end};
     to->index = NULL;
     to->known = NULL;
     memset(&from->leaves, 0, sizeof from->leaves);
@@ -280,9 +283,10 @@ static void fill_chunk(void *user, size_t chunk)
 {
     const struct filling *filling = user;
     const struct csg_object *object = filling->object;
-    const struct csg_node *nodes = filling->terms->scene->trees[object->layer].data;
-    const size_t begin = object->begin + CHUNK * chunk;
-    for (size_t i = begin; i < begin + CHUNK && i < object->end; i++)
+    const struct csg_seen *seen = &filling->terms->seen;
+    const struct csg_node *nodes = seen->nodes;
+    const size_t begin = seen->begin + CHUNK * chunk;
+    for (size_t i = begin; i < begin + CHUNK && i < seen->end; i++)
         if (nodes[i].op == CSG_LEAF && csg_terms_of(filling->terms, nodes[i].leaf)->node == i)
             fill_leaf(filling->terms, object, &nodes[i], filling->rect, &filling->notes[chunk]);
 }
@@ -301,7 +305,7 @@ static void take_notes(struct csg_terms *terms, const struct notes *notes)
 static bool fill_leaves(struct csg_terms *terms, const struct csg_object *object,
                         const struct csg_rect *rect)
 {
-    const size_t num = (object->end - object->begin + CHUNK - 1) / CHUNK;
+    const size_t num = (terms->seen.end - terms->seen.begin + CHUNK - 1) / CHUNK;
     struct filling filling = {terms, object, rect, calloc(num + 1, sizeof *filling.notes)};
     if (!filling.notes)
         return false;
@@ -315,7 +319,7 @@ static bool fill_leaves(struct csg_terms *terms, const struct csg_object *object
 /* A leaf of its own for each stack. */
 static bool add_stacks(struct csg_terms *terms, const struct csg_object *object)
 {
-    bool ok = csg_stacks_find(&terms->stacks, terms->scene, object);
+    bool ok = terms->seen.is_part || csg_stacks_find(&terms->stacks, terms->scene, object);
     for (size_t i = 0; i < terms->stacks.list.num && ok; i++) {
         terms->index[terms->scene->num_leaves + i] = (uint32_t)terms->leaves.num;
         ok = csg_array_push(&terms->leaves,
@@ -328,16 +332,32 @@ static bool add_stacks(struct csg_terms *terms, const struct csg_object *object)
 static bool fill(struct csg_terms *terms, const struct csg_object *object,
                  const struct csg_rect *rect)
 {
-    const struct csg_node *nodes = terms->scene->trees[object->layer].data;
+    const struct csg_seen *seen = &terms->seen;
     terms->leaves.num = terms->texels.num = 0;
     csg_surface_views_clear(&terms->views);
     terms->translucent = terms->stiff = false;
     terms->error = 0;
-    for (uint32_t i = object->begin; i < object->end; i++)
-        if (nodes[i].op == CSG_LEAF && !place_leaf(terms, nodes, i))
+    for (uint32_t i = seen->begin; i < seen->end; i++)
+        if (seen->nodes[i].op == CSG_LEAF && !place_leaf(terms, seen->nodes, i))
             return false;
     return fill_leaves(terms, object, rect) &&
            (terms->params->textbook || add_stacks(terms, object));
+}
+
+/* Stacks are of all the object. */
+bool csg_terms_see(struct csg_terms *terms, const struct csg_object *object, bool whole)
+{
+    csg_seen_all(&terms->seen, terms->scene, object);
+    if (whole)
+        return true;
+    if (!csg_seen_find(&terms->seen, terms->scene, &terms->frame->screen, object))
+        return false;
+    if (!terms->seen.is_part)
+        return true;
+    const bool ok = csg_stacks_find(&terms->stacks, terms->scene, object);
+    if (terms->stacks.list.num)
+        csg_seen_all(&terms->seen, terms->scene, object);
+    return ok;
 }
 
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,

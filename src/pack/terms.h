@@ -6,10 +6,11 @@
 
 #include "pack/bands.h"
 #include "pack/frame.h"
+#include "pack/seen.h"
 #include "pack/surface.h"
 
 struct csg_leaf_terms {
-    uint32_t node; /* of the layer's tree */
+    uint32_t node; /* of what is seen */
     size_t texels; /* in csg_terms.texels: entry planes, exit planes, the quadric's */
     uint32_t num_entries, num_exits;
     uint32_t flags;       /* CSG_RECORD_NEGATED, _SURFACE, _BANDS, _QUADRIC, _GAP of the leaf */
@@ -23,7 +24,8 @@ struct csg_terms {
     struct csg_frame *frame;
     const struct csgcast_scene *scene;
     const struct csg_frame_params *params;
-    CSG_ARRAY(struct csg_leaf_terms) leaves; /* of the object at hand */
+    struct csg_seen seen;                    /* of the object at hand */
+    CSG_ARRAY(struct csg_leaf_terms) leaves; /* of what is seen of it */
     CSG_ARRAY(double) texels;                /* four numbers each */
     struct csg_surface_views views; /* of its leaves that are surfaces; projected for tiles */
     struct csg_stacks stacks; /* of the object, for the tiles; they come last among its leaves */
@@ -40,10 +42,15 @@ bool csg_terms_init(struct csg_terms *terms, struct csg_frame *frame,
                     const struct csgcast_scene *scene, const struct csg_frame_params *params);
 void csg_terms_finish(struct csg_terms *terms);
 
-/* to gets the leaves of from, which may be filled anew; index and known stay there. */
+/* to gets the leaves of from, an object of which nothing is left out; from may be filled anew.
+ * index and known stay there. */
 void csg_terms_take(struct csg_terms *to, struct csg_terms *from);
 
-/* Replaces the leaves by those of object, seen in rect; writes their attribute blocks into the
+/* Finds what is seen of an object, the next one at hand: with whole all of it. false: out of
+ * memory. */
+bool csg_terms_see(struct csg_terms *terms, const struct csg_object *object, bool whole);
+
+/* Replaces the leaves by those seen of object, in rect; writes their attribute blocks into the
  * frame. Makes terms precise where a stiff quadric asks for it. */
 bool csg_terms_fill(struct csg_terms *terms, const struct csg_object *object,
                     const struct csg_rect *rect);

@@ -34,7 +34,6 @@ struct pane {
 
 struct job {
     const struct csg_terms *terms;
-    const struct csg_object *object;
     const struct csg_draw *draw;
     struct pane *panes;
     size_t num;
@@ -47,7 +46,7 @@ static void tile_pane(const struct job *job, struct pane *pane, struct csg_tiler
     terms.frame = pane->frame;
     pane->ok = csg_array_reserve(&tiler->known, csg_stacks_room(terms.scene->num_leaves));
     terms.known = tiler->known.data;
-    pane->ok = pane->ok && csg_tile_area(tiler, &terms, job->object, &pane->area, job->draw);
+    pane->ok = pane->ok && csg_tile_area(tiler, &terms, &pane->area, job->draw);
 }
 
 static void tile_some(void *user, struct csg_tasks *tasks)
@@ -144,19 +143,18 @@ static bool project_views(struct csg_terms *terms)
                                      terms->params->num_threads);
 }
 
-bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms,
-                    const struct csg_object *object, const struct csg_rect *rect,
+bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms, const struct csg_rect *rect,
                     const struct csg_draw *draw)
 {
     const struct csg_tile_area area = area_of(rect);
-    return project_views(terms) && csg_tile_area(tiler, terms, object, &area, draw);
+    return project_views(terms) && csg_tile_area(tiler, terms, &area, draw);
 }
 
-static bool tile_alone(struct csg_terms *terms, const struct csg_object *object,
-                       const struct csg_rect *rect, const struct csg_draw *draw)
+static bool tile_alone(struct csg_terms *terms, const struct csg_rect *rect,
+                       const struct csg_draw *draw)
 {
     struct csg_tiler tiler = {0};
-    const bool ok = csg_tile_small(&tiler, terms, object, rect, draw);
+    const bool ok = csg_tile_small(&tiler, terms, rect, draw);
     csg_tiler_finish(&tiler);
     return ok;
 }
@@ -170,11 +168,11 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
     const struct grid grid = plan_panes(object, &area);
     *tests = 0;
     if (grid.num <= 1)
-        return tile_alone(terms, object, rect, draw);
+        return tile_alone(terms, rect, draw);
     if (!project_views(terms))
         return false;
     area.budget = &budget;
-    struct job job = {.terms = terms, .object = object, .draw = draw, .num = (size_t)grid.num};
+    struct job job = {.terms = terms, .draw = draw, .num = (size_t)grid.num};
     job.panes = calloc(job.num, sizeof *job.panes);
     if (!job.panes)
         return false;
@@ -220,14 +218,12 @@ static bool sample_row(struct job *job, const struct csg_rect *rect, size_t row,
     return ok;
 }
 
-bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw, double few,
-                     double many, double *tests)
+bool csg_tile_sample(const struct csg_terms *terms, const struct csg_rect *rect,
+                     const struct csg_draw *draw, double few, double many, double *tests)
 {
     static const size_t rows[SAMPLES] = {1, 0, 2};
     struct pane panes[SAMPLES];
-    struct job job = {
-        .terms = terms, .object = object, .draw = draw, .panes = panes, .num = SAMPLES};
+    struct job job = {.terms = terms, .draw = draw, .panes = panes, .num = SAMPLES};
     double num_tests = 0, num_pixels = 0;
     for (size_t i = 0;
          i < SAMPLES && (i == 0 || (num_tests > few * num_pixels && num_tests < many * num_pixels));

@@ -51,7 +51,7 @@ static void tile_item(struct csg_queued *item, struct csg_frame *part, struct wo
     item->terms.index = worker->index;
     item->terms.known = worker->known;
     number_leaves(item);
-    item->ok = csg_tile_small(&worker->tiler, &item->terms, item->object, &item->rect, &item->draw);
+    item->ok = csg_tile_small(&worker->tiler, &item->terms, &item->rect, &item->draw);
     item->terms.index = NULL;
     item->terms.known = NULL;
 }

@@ -95,30 +95,27 @@ int csg_task_cut(const struct csg_tiler *tiler, const struct csg_tile_task *task
     return num;
 }
 
-/* The object's own part of the layer's tree, counted from 0. Tiles leave spare leaves out, which
+/* What is seen of the object, counted from 0. Tiles leave spare leaves out, which
  * are nowhere: a record would keep none of their planes, and one without planes is everywhere. */
-static bool object_tree(struct csg_tiler *tiler, const struct csg_object *object,
-                        struct csg_tree *tree)
+static bool object_tree(struct csg_tiler *tiler, struct csg_tree *tree)
 {
     const struct csg_stacks *stacks = &tiler->terms->stacks;
-    const struct csg_node *nodes = tiler->terms->scene->trees[object->layer].data;
+    const struct csg_seen *seen = &tiler->terms->seen;
     bool ok = true;
     if (stacks->list.num) {
         ok = copy_tree(tiler, &stacks->tree, tree);
     } else {
         *tree = take_tree(tiler);
-        ok = csg_tree_append(tree, nodes, object->begin, object->end);
+        ok = csg_tree_append(tree, seen->nodes, seen->begin, seen->end);
     }
     for (size_t i = 0; i < tree->num && ok; i++)
         tree->data[i].spare = false;
     return ok;
 }
 
-bool csg_task_start(struct csg_tiler *tiler, const struct csg_object *object,
-                    struct csg_tile_task *task)
+bool csg_task_start(struct csg_tiler *tiler, struct csg_tile_task *task)
 {
-    if (!object_tree(tiler, object, &task->tree) ||
-        !csg_band_list_fill(&task->bands, tiler->terms)) {
+    if (!object_tree(tiler, &task->tree) || !csg_band_list_fill(&task->bands, tiler->terms)) {
         csg_task_drop(tiler, task);
         return false;
     }

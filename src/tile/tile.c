@@ -338,8 +338,7 @@ static bool run_tasks(struct csg_tiler *tiler, bool ok)
 }
 
 bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
-                   const struct csg_object *object, const struct csg_tile_area *area,
-                   const struct csg_draw *draw)
+                   const struct csg_tile_area *area, const struct csg_draw *draw)
 {
     struct csg_tile_task whole = {.lo = {area->lo[0], area->lo[1]},
                                   .hi = {area->hi[0], area->hi[1]}};
@@ -349,7 +348,7 @@ bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
     tiler->fine = area->fine;
     tiler->num_corner_cuts = 0;
     tiler->max_texels = area->max_texels + terms->frame->texels.num / 4;
-    return run_tasks(tiler, csg_task_start(tiler, object, &whole) && begin(tiler, &whole));
+    return run_tasks(tiler, csg_task_start(tiler, &whole) && begin(tiler, &whole));
 }
 
 void csg_tiler_finish(struct csg_tiler *tiler)

@@ -36,11 +36,10 @@ struct csg_tile_area {
 
 struct csg_tiler;
 
-/* Appends the object's records and draws in an area to the frame; terms are the object's. false:
+/* Appends an object's records and draws in an area to the frame; terms are the object's. false:
  * out of memory. */
 bool csg_tile_area(struct csg_tiler *tiler, struct csg_terms *terms,
-                   const struct csg_object *object, const struct csg_tile_area *area,
-                   const struct csg_draw *draw);
+                   const struct csg_tile_area *area, const struct csg_draw *draw);
 
 /* The same for all of the object, on all cores; rect in pixels, like csg_screen_rect's. *tests:
  * what its tiles need; where that is more than max_tests, the frame gets none. */
@@ -50,15 +49,13 @@ bool csg_tile_object(struct csg_terms *terms, const struct csg_object *object,
 
 /* Whether that would be done by one core, and as it does it. */
 bool csg_tile_is_small(const struct csg_object *object, const struct csg_rect *rect);
-bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms,
-                    const struct csg_object *object, const struct csg_rect *rect,
+bool csg_tile_small(struct csg_tiler *tiler, struct csg_terms *terms, const struct csg_rect *rect,
                     const struct csg_draw *draw);
 
 /* How many solids a pixel would be tested against in tiles of the smallest size, from a few of
  * them: those that are not empty. Fewer samples are taken where the first ones say few or less, or
  * many or more. */
-bool csg_tile_sample(const struct csg_terms *terms, const struct csg_object *object,
-                     const struct csg_rect *rect, const struct csg_draw *draw, double few,
-                     double many, double *tests);
+bool csg_tile_sample(const struct csg_terms *terms, const struct csg_rect *rect,
+                     const struct csg_draw *draw, double few, double many, double *tests);
 
 #endif

@@ -95,9 +95,8 @@ static inline int csg_tile_size(const struct csg_tiler *tiler)
     return size ? size : CSG_TILE_SIZE;
 }
 
-/* Gives the task, of which the rectangle is set, all of the object. false: out of memory. */
-bool csg_task_start(struct csg_tiler *tiler, const struct csg_object *object,
-                    struct csg_tile_task *task);
+/* Gives the task, of which the rectangle is set, all that is seen of the object. false: out of memory. */
+bool csg_task_start(struct csg_tiler *tiler, struct csg_tile_task *task);
 
 /* Cuts into two or four, across the axes that have an edge of the larger step; returns how many.
  * Trees and bands are the task's. */
