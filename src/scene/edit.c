@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/clock.h"
 #include "csg/wholes.h"
 #include "prepare/follow.h"
 #include "prepare/framing.h"
@@ -279,6 +280,13 @@ static bool follow(struct session *session, const uint32_t *leaves)
                : refinish(session, leaves);
 }
 
+static void recolor(struct session *session, const uint32_t *leaves)
+{
+    const double start = csg_clock_ms();
+    csg_follow_colors(session->scene, leaves, session->patches.num);
+    session->scene->csg_ms = csg_clock_ms() - start;
+}
+
 /* Puts the patches of these leaves in. false, with nothing changed, when memory is out. */
 static bool put_in(struct session *session, const uint32_t *leaves)
 {
@@ -291,7 +299,7 @@ static bool put_in(struct session *session, const uint32_t *leaves)
         return false;
     }
     if (!session->moves)
-        csg_follow_colors(session->scene, leaves, session->patches.num);
+        recolor(session, leaves);
     session->scene->revision++;
     return true;
 }

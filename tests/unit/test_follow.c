@@ -72,9 +72,24 @@ static void check_layers(void)
     csgcast_scene_destroy(scene);
 }
 
+/* The statistics tell of the last edit, of a colour as well. */
+static void check_time(void)
+{
+    static const float red[4] = {1, 0, 0, 1};
+    struct csgcast_scene *scene = parse("sphere(1);\ntranslate([5, 0, 0]) sphere(1);");
+    const double *matrix = (const double[16]){1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    scene->csg_ms = -1;
+    CHECK(csgcast_scene_set_color(scene, 0, red) && scene->csg_ms >= 0, "a colour takes no time");
+    scene->csg_ms = -1;
+    CHECK(csgcast_scene_set_matrix(scene, 0, matrix) && scene->csg_ms >= 0,
+          "a matrix takes no time");
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     check_ways();
+    check_time();
     check_leaves();
     check_layers();
     return num_failed != 0;
