@@ -136,6 +136,16 @@ static void add_preamble(struct csg_text *text, int features)
     add_file(text, "common/layout.glsl");
 }
 
+/* Where programs of far sides are asked for without these, they are for one convex solid. */
+#define NOT_CONVEX (CSG_FEATURE_GAP | CSG_FEATURE_SURFACE | CSG_FEATURE_BANDS)
+
+static void add_rear(struct csg_text *text, int features)
+{
+    if (features & NOT_CONVEX)
+        csg_text_add(text, "#define CSG_REAR\n");
+    add_file(text, features & NOT_CONVEX ? "csg/resolve.glsl" : "csg/far.glsl");
+}
+
 static void add_resolver(struct csg_text *text, enum csg_resolver resolver, int features)
 {
     if (resolver == CSG_RESOLVER_STRAIGHT)
@@ -157,9 +167,9 @@ static void add_resolver(struct csg_text *text, enum csg_resolver resolver, int 
     } else if (resolver == CSG_RESOLVER_ALGORITHM4) {
         csg_text_add(text, "#define CSG_MAX_CROSSINGS %d\n", CSG_ALGORITHM4_MAX_CROSSINGS);
         add_file(text, "csg/algorithm4.glsl");
+    } else if (resolver == CSG_RESOLVER_REAR) {
+        add_rear(text, features);
     } else {
-        if (resolver == CSG_RESOLVER_REAR)
-            csg_text_add(text, "#define CSG_REAR\n");
         add_file(text, "csg/resolve.glsl");
     }
 }
