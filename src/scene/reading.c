@@ -101,6 +101,8 @@ static bool is_alike(const struct csg_reading *reading, const struct csg_edits *
                      uint32_t node)
 {
     const struct csg_part_place *place = find_place(&edits->origins, node);
+    if (!place) /* a solid among drawings is in no tree */
+        return reading->num == reading->num_before;
     const struct csg_node *nodes = edits->whole[place->layer].data + place->at;
     const uint32_t num = reading->part_end - reading->part_begin;
     bool same = reading->num == reading->num_before && nodes->end - place->at == num;

@@ -83,6 +83,12 @@ static const struct node_case cases[] = {
      {"[[0,0,0], [5,0,1], [5,5,0], [0,5,1], [0,0,5], [5,0,6], [5,5,5], [0,5,7]]",
       "[[0,0,0], [5,0,2], [5,5,0], [0,5,1], [0,0,5], [5,0,6], [5,5,5], [0,5,7]]",
       "[[0,0,0], [5,0,0], [5,5,0], [0,5,0], [0,0,5], [5,0,5], [5,5,5], [0,5,5]]"}},
+    {"a solid among drawings, which is left out",
+     "cube(6); multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { circle(3); "
+     "linear_extrude(%s) polygon([[0, 0], [6, 0], [2, 2], [0, 6]]); sphere(2); }\nsphere(7);",
+     1,
+     0,
+     {"height = 2", "height = 5", "height = 5, twist = 60, slices = 9", "height = 3"}},
     {"render",
      "render() difference() { cube(6, center = true); linear_extrude(%s) "
      "polygon([[0, 0], [9, 0], [2, 2], [0, 9]]); }\ncube(1);",
