@@ -14,6 +14,10 @@
  * draws. */
 #define MAX_LOOP_STEP_PIXELS 2e3
 
+/* A frame that has spent that on compiling compiles no further chain. A driver's cache has one in 1
+ * to 3 ms. */
+#define MAX_COMPILE_MS 10
+
 struct csg_structure csg_chooser_structure(const struct csg_request *request, uint32_t object)
 {
     const struct csg_plan *plan = request->scene->plan;
@@ -120,11 +124,24 @@ static bool is_drawn_alone(const struct csg_chooser *chooser, const struct csg_d
             csg_chooser_knows(chooser, CSG_RESOLVER_SURFACE, csg_view_features(draw)));
 }
 
+/* A view that moves is not to stop for all chains that it asks for: while the driver takes its time
+ * for them they come one a frame, and those that there are do for the others. Scenes that may be
+ * edited have all from the first frame on. */
+static bool may_compile_chain(const struct csg_chooser *chooser)
+{
+    const struct csg_request *request = chooser->request;
+    const double compiled = chooser->renderer->programs.compile_ms - chooser->compiled_ms;
+    return !request->after_edit &&
+           (request->scene->keeps_structure || request->resolver >= 0 || compiled < MAX_COMPILE_MS);
+}
+
 /* The smallest chain that can be used for that; -1: none. */
 static int fit_chain(const struct csg_chooser *chooser, const struct csg_chain_need *needed)
 {
+    const bool may_compile = may_compile_chain(chooser);
     for (int i = 0; i < CSG_NUM_CHAINS; i++)
-        if (chooser->may_chain[i] && csg_chain_fits(i, needed))
+        if (chooser->may_chain[i] && (chooser->chains[i] || may_compile) &&
+            csg_chain_fits(i, needed))
             return i;
     return -1;
 }
@@ -283,9 +300,11 @@ struct csg_chooser *csg_chooser_create(struct csgcast_renderer *renderer,
     chooser->direct = direct;
     chooser->max_handed = csg_max_handed(renderer->gl);
     chooser->max_point = max_point(renderer->gl);
-    for (int i = 0; i < CSG_NUM_CHAINS; i++)
-        chooser->may_chain[i] = csg_chain_size(i, direct) <= chooser->max_handed &&
-                                (!request->after_edit || csg_chooser_knows_chain(chooser, i));
+    chooser->compiled_ms = renderer->programs.compile_ms;
+    for (int i = 0; i < CSG_NUM_CHAINS; i++) {
+        chooser->may_chain[i] = csg_chain_size(i, direct) <= chooser->max_handed;
+        chooser->chains[i] = csg_chooser_known_chain(chooser, i);
+    }
     chooser->common_chain = -1;
     chooser->common_chain = find_common_chain(chooser);
     if (csg_few_find(chooser))

@@ -35,9 +35,10 @@ struct csg_chooser {
     GLuint surfaces[CSG_NUM_FEATURE_SETS];
     GLuint loops[CSG_NUM_FEATURE_SETS], sorted[CSG_NUM_FEATURE_SETS], rears[CSG_NUM_FEATURE_SETS];
     GLuint cells[CSG_NUM_FEATURE_SETS];
-    GLuint cpu; /* for what needs double without having it */
-    GLuint chains[CSG_NUM_CHAINS];
-    bool may_chain[CSG_NUM_CHAINS]; /* which of them may be used */
+    GLuint cpu;                     /* for what needs double without having it */
+    GLuint chains[CSG_NUM_CHAINS];  /* 0: not compiled */
+    bool may_chain[CSG_NUM_CHAINS]; /* the driver allows their inputs */
+    double compiled_ms;             /* of the renderer's compile_ms, before this frame */
     int common_chain;               /* that all tiles take which are chains; -1: each its own */
     bool tiles_prepared, direct;
     uint32_t prepared;       /* the object whose cells' program is there, + 1 */
@@ -94,7 +95,9 @@ GLuint csg_chooser_chain(struct csg_chooser *chooser, int chain);
 
 /* Whether it need not be compiled. */
 bool csg_chooser_knows(const struct csg_chooser *chooser, enum csg_resolver resolver, int features);
-bool csg_chooser_knows_chain(const struct csg_chooser *chooser, int chain);
+
+/* A chain's program; 0: it would have to be compiled. */
+GLuint csg_chooser_known_chain(const struct csg_chooser *chooser, int chain);
 
 /* ---- chooser_spares.c; false, with a message: a program does not compile ---- */
 

@@ -117,20 +117,16 @@ GLuint csg_chooser_cpu(struct csg_chooser *chooser, enum csg_resolver *resolver)
 static GLuint compile_chain(struct csg_chooser *chooser, int chain)
 {
     struct csg_programs *programs = &chooser->renderer->programs;
-    const uint32_t name = name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0);
-    const GLuint noted = csg_programs_noted(programs, name);
-    if (noted)
-        return noted;
     const GLuint program =
         csg_programs_get(programs, csg_source_geometry_chain(chain, frame_features(chooser)));
-    csg_programs_note(programs, program, name);
+    csg_programs_note(programs, program, name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0));
     return program;
 }
 
-bool csg_chooser_knows_chain(const struct csg_chooser *chooser, int chain)
+GLuint csg_chooser_known_chain(const struct csg_chooser *chooser, int chain)
 {
-    const uint32_t name = name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0);
-    return csg_programs_noted(&chooser->renderer->programs, name) != 0;
+    return csg_programs_noted(&chooser->renderer->programs,
+                              name_of(chooser, CSG_RESOLVER_CHAIN, chain, 0));
 }
 
 GLuint csg_chooser_chain(struct csg_chooser *chooser, int chain)

@@ -113,6 +113,14 @@ static bool argument_error(const struct csgcast_renderer *renderer, const char *
     return false;
 }
 
+/* A first picture is not to wait for programs that only later ones repay. What edits need is all
+ * compiled with the first one, so it may as well be drawn by that. */
+static bool is_first(const struct csgcast_renderer *renderer, const struct csg_request *request)
+{
+    return !renderer->has_drawn && !request->scene->keeps_structure && request->resolver < 0 &&
+           !request->textbook;
+}
+
 static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_request *request)
 {
     const struct csgcast_view *view = request->view;
@@ -121,8 +129,9 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     request->scheme = csg_colorscheme_find(view->colorscheme);
     request->textbook = view->variant && strcmp(view->variant, CSG_TEXTBOOK_NAME) == 0;
     request->shared = view->variant && strcmp(view->variant, CSG_SHARED_NAME) == 0;
-    request->same_inputs = request->shared && renderer->gl && renderer->gl->is_llvmpipe;
+    request->same_inputs = !request->textbook && renderer->gl && renderer->gl->is_llvmpipe;
     request->resolver = find_resolver(request->textbook || request->shared ? NULL : view->variant);
+    request->shared |= is_first(renderer, request);
     if (!request->scheme)
         return argument_error(renderer, "colour scheme", view->colorscheme);
     if (request->resolver == CSG_NUM_RESOLVERS)
@@ -165,6 +174,7 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
         return false;
     const double compiled = renderer->programs.compile_ms;
     const bool drawn = csg_picture_render(renderer, request);
+    renderer->has_drawn |= drawn;
     renderer->last_scene = request->scene->keeps_structure ? request->scene : NULL;
     renderer->last_revision = request->scene->revision;
     renderer->stats.compile_ms = renderer->programs.compile_ms - compiled;

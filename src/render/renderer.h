@@ -39,6 +39,7 @@ struct csgcast_renderer {
     bool thin;
     const struct csgcast_scene *last_scene; /* of the last frame, if it is one that is edited, */
     uint64_t last_revision;                 /* ... as it was then */
+    bool has_drawn;                         /* some picture, with OpenGL */
     struct csg_frame frame;
     struct csgcast_stats stats;
 };
@@ -52,8 +53,8 @@ struct csg_request {
     int width, height;
     int resolver;     /* enum csg_resolver, or -1 for the best */
     bool textbook;    /* crossings as textbooks have them */
-    bool shared;      /* no straight-line programs but those of single solids */
-    bool same_inputs; /* ... and on llvmpipe, that compiles code for each set of flat inputs, see
+    bool shared;      /* no straight-line programs but those of single solids, and few others */
+    bool same_inputs; /* on llvmpipe, that compiles code for each set of flat inputs, see
                        * shaders/common/inputs.glsl. Other drivers may allow fewer than that is. */
     int tile_size;    /* as in csg_frame_params */
     bool after_edit;  /* the first frame since then: it makes do with the programs that there are */

@@ -102,7 +102,7 @@ bool csg_chain_fits(int i, const struct csg_chain_need *needed)
 {
     const struct csg_chain *chain = &csg_chains[i];
     return needed->slots <= chain->slots && needed->planes <= chain->planes &&
-           needed->quadrics == chain->quadrics && needed->clauses == chain->clauses &&
+           needed->quadrics <= chain->quadrics && needed->clauses == chain->clauses &&
            (needed->flat || !chain->flat);
 }
 

@@ -374,7 +374,12 @@ CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
  * except "textbook", a baseline for comparisons: the quadratic formula in world space, in float32.
  * "shared" suits callers that draw a picture or two of a scene: it is auto without programs for the
  * scene's own structures, each of which takes some 100 ms to compile on a machine that has not seen
- * it. */
+ * it.
+ *
+ * A renderer's first picture of a fixed scene by "auto" is drawn as by "shared", so that it does not
+ * wait for programs that only later ones repay. Those after it compile them: as many as a driver
+ * has from its cache in some 10 ms, else a few a picture. Draw until csgcast_stats' programs
+ * stays the same to have that over before an animation begins. */
 CSGCAST_API const char *csgcast_variant_name(size_t index);
 
 /* A camera resolved against a scene: what is rendered. All vectors in scene units. */
@@ -426,12 +431,13 @@ CSGCAST_API void csgcast_renderer_destroy(struct csgcast_renderer *renderer);
 CSGCAST_API const char *csgcast_renderer_name(const struct csgcast_renderer *renderer);
 
 /*
- * Draws nothing with each of the programs that pictures of most scenes take with the variant
- * "shared". A driver that keeps what it compiles, as Mesa does on disk for each user, has them then
- * in other processes as well. With llvmpipe some ten seconds, with a message each second; a tenth
- * of that where they are there already. csgcast_renderer_destroy then ends the EGL display, for the
- * driver to write all of it, and so every context that the process has on that: for processes of
- * their own. false, with a message, on failure.
+ * Draws nothing with each of the programs that pictures of most scenes take, all with the variant
+ * "shared", with "auto" all but those for a scene's own structures. A driver that keeps what it
+ * compiles, as Mesa does on disk for each user, has them then in other processes as well. With
+ * llvmpipe some twelve seconds, with a message each second; a tenth of that where they are there
+ * already. csgcast_renderer_destroy then ends the EGL display, for the driver to write all of it,
+ * and so every context that the process has on that: for processes of their own. false, with a
+ * message, on failure.
  */
 CSGCAST_API bool csgcast_renderer_warm(struct csgcast_renderer *renderer);
 

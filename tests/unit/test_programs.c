@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * When programs are compiled: of a fixed scene few with the first picture and the others with those
+ * after it, of one that may be edited all with the first.
+ */
+#include <string.h>
+
+#include "check.h"
+#include "csgcast/csgcast.h"
+
+enum { SIZE = 512, FEW = 2, ENOUGH = 40 };
+
+static const char text[] = "difference() { cube([20, 20, 20], center = true); sphere(r = 13);"
+                           " cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                           " multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
+                           "  cylinder(h = 30, r1 = 6, r2 = 6, center = true);"
+                           " multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
+                           "  cylinder(h = 30, r1 = 6, r2 = 6, center = true); }";
+
+static unsigned char first[4 * SIZE * SIZE], later[4 * SIZE * SIZE];
+
+static size_t draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                   unsigned char *rgba8)
+{
+    const struct csgcast_view view = {.width = SIZE, .height = SIZE};
+    struct csgcast_stats stats;
+    CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = rgba8}),
+          "no picture");
+    csgcast_renderer_get_stats(renderer, &stats);
+    return stats.programs;
+}
+
+static struct csgcast_scene *parse(bool fixed)
+{
+    struct csgcast_scene *scene =
+        csgcast_scene_parse(text, strlen(text), &(struct csgcast_scene_params){.fixed = fixed});
+    CHECK(scene, "no scene");
+    return scene;
+}
+
+/* Pictures until one compiles nothing; the number of programs then. */
+static size_t settle(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                     size_t programs)
+{
+    size_t before = 0;
+    for (int i = 0; i < ENOUGH && programs > before; i++) {
+        before = programs;
+        programs = draw(renderer, scene, later);
+        CHECK(memcmp(first, later, sizeof first) == 0, "picture %d is another one", i + 1);
+    }
+    CHECK(programs == before, "%d pictures, and the next one compiles again", ENOUGH);
+    return programs;
+}
+
+static void check_fixed(void)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *scene = parse(true);
+    const size_t few = draw(renderer, scene, first), all = settle(renderer, scene, few);
+    CHECK(few <= FEW, "the first picture compiled %zu programs", few);
+    CHECK(all > few, "later pictures compiled none");
+    csgcast_scene_destroy(scene);
+    scene = parse(true);
+    CHECK(draw(renderer, scene, later) == all, "another scene of the same kind compiled some");
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+}
+
+static void check_edited(void)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *scene = parse(false);
+    const size_t all = draw(renderer, scene, first);
+    CHECK(settle(renderer, scene, all) == all, "a picture after the first compiled");
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+}
+
+int main(void)
+{
+    check_fixed();
+    check_edited();
+    return num_failed != 0;
+}
