@@ -29,7 +29,7 @@ const struct csg_cli_command csg_command_warm = {
     .text =
         "Most scenes are drawn by the same programs. Mesa keeps on disk what it has compiled, for\n"
         "each user: after this, once for each version of csgcast and of Mesa, the first picture\n"
-        "of a scene takes no longer than the next. It takes some ten seconds.\n",
+        "of a scene takes no longer than the next. It takes some twelve seconds.\n",
     .tail = "  csgcast warm\n",
     .run = run,
 };

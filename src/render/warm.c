@@ -141,19 +141,12 @@ static bool draw(struct warming *warming, struct csg_stages stages, bool direct)
     return true;
 }
 
-/* Whether a picture alone may take that chain, see src/render/chooser.c. */
-static bool is_common_chain(const struct warming *warming, int i, bool direct)
-{
-    return csg_chains[i].planes == CSG_CHAIN_PLANES && !csg_chains[i].clauses &&
-           csg_chain_size(i, direct) <= csg_max_handed(warming->renderer->gl);
-}
-
 static bool draw_chains(struct warming *warming, int features)
 {
     const bool direct = features & CSG_FEATURE_DIRECT;
     bool ok = true;
     for (int i = 0; i < CSG_NUM_CHAINS && ok; i++)
-        if (is_common_chain(warming, i, direct))
+        if (csg_chain_size(i, direct) <= csg_max_handed(warming->renderer->gl))
             ok = draw(warming, csg_source_geometry_chain(i, features), direct);
     return ok;
 }
