@@ -90,6 +90,7 @@ PART void judge(const struct csg_ranges *common, struct csg_leaf_ranges *leaf, d
     }
 }
 
+/* Nothing is left where it is nothing. */
 PART void judge_solid(const struct csg_ranges *common, struct csg_leaf_ranges *leaf, double *empty)
 {
     double covers[LANES];
@@ -98,6 +99,7 @@ PART void judge_solid(const struct csg_ranges *common, struct csg_leaf_ranges *l
         empty[i] = leaf->exit.hi[i] < common->lo[i] ? 1 : empty[i];
 }
 
+/* ... where what is taken away is everything. */
 PART void judge_complement(const struct csg_ranges *common, struct csg_leaf_ranges *leaf,
                            double *empty)
 {

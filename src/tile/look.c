@@ -43,8 +43,8 @@ static bool has_lanes(const struct csg_tiler *tiler, uint32_t leaf)
     return !(csg_terms_of(tiler->terms, leaf)->flags & CSG_RECORD_SURFACE);
 }
 
-/* Of a surface, in the parts one by one. */
-static void look_at_surface(const struct csg_tiler *tiler, uint32_t leaf, const bool *missed,
+/* Of a surface, in the parts one by one; of another leaf that all of them miss. */
+static void look_one_by_one(const struct csg_tiler *tiler, uint32_t leaf, const bool *missed,
                             struct csg_leaf_ranges *ranges)
 {
     for (int i = 0; i < CSG_TILE_LANES; i++) {
@@ -59,7 +59,7 @@ static void look_at_surface(const struct csg_tiler *tiler, uint32_t leaf, const 
     }
 }
 
-/* Of a leaf that is no stack. */
+/* What the parts' rays meet of a leaf that is no stack. */
 static void look_at(const struct csg_tiler *tiler, uint32_t leaf, struct csg_leaf_ranges *ranges)
 {
     const struct csg_tile_parts *parts = &tiler->parts;
@@ -70,7 +70,7 @@ static void look_at(const struct csg_tiler *tiler, uint32_t leaf, struct csg_lea
         all &= missed[i];
     }
     if (all || !has_lanes(tiler, leaf)) {
-        look_at_surface(tiler, leaf, missed, ranges);
+        look_one_by_one(tiler, leaf, missed, ranges);
         return;
     }
     csg_ranges_of_leaf(tiler->terms, csg_terms_of(tiler->terms, leaf), &parts->boxes, ranges);
