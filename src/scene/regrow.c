@@ -247,6 +247,7 @@ static void swap(struct regrow *regrow)
     memcpy(&scene->wholes, &had.wholes, sizeof scene->wholes);
     *scene->edits = had.edits;
     scene->edits->texts = regrow->edits.texts;
+    scene->edits->text = regrow->edits.text;
     scene->edits->num_dropped = regrow->edits.num_dropped;
     regrow->is_in = !regrow->is_in;
 }

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "csg/scene.h"
+#include "scene/edits.h"
 
 static struct csgcast_scene *parse(const char *text)
 {
@@ -86,10 +87,24 @@ static void check_time(void)
     csgcast_scene_destroy(scene);
 }
 
+/* Other letters are other solids. */
+static void check_fonts(void)
+{
+    struct csgcast_scene *scene = parse("linear_extrude(height = 1) text(\"a\");\ncube(1);");
+    const struct csgcast_edit one = {.leaf = 0, .node = 1, .parameters = "\"ab\""};
+    const struct csgcast_edit other = {.leaf = 0, .node = 1, .parameters = "\"abc\""};
+    CHECK(csgcast_scene_edit(scene, &one, 1), "the edit fails");
+    const struct csg_fonts *fonts = scene->edits->text.fonts;
+    CHECK(csgcast_scene_edit(scene, &other, 1), "the edit fails");
+    CHECK(fonts && scene->edits->text.fonts == fonts, "fonts do not stay open");
+    csgcast_scene_destroy(scene);
+}
+
 int main(void)
 {
     check_ways();
     check_time();
+    check_fonts();
     check_leaves();
     check_layers();
     return num_failed != 0;
