@@ -124,17 +124,28 @@ static bool fill_all(struct filling *filling, size_t num_kept)
     return ok;
 }
 
+static struct csg_surveyor *create_surveyor(const struct csgcast_scene *scene)
+{
+    struct csg_surveyor *surveyor = malloc(sizeof *surveyor);
+    if (surveyor && !csg_surveyor_init(surveyor, scene)) {
+        free(surveyor);
+        return NULL;
+    }
+    return surveyor;
+}
+
 bool csg_sharpness_measure(const struct csgcast_scene *scene, const uint32_t *objects, size_t num,
                            struct csg_sharpness *out)
 {
-    struct csg_surveyor surveyor;
-    bool ok = csg_surveyor_init(&surveyor, scene);
+    struct csg_sharpnesses *all = scene->sharpness;
+    if (!all->surveyor)
+        all->surveyor = create_surveyor(scene);
+    bool ok = all->surveyor != NULL;
     for (size_t i = 0; i < num && ok; i++) {
         out[i] = csg_sharpness_blunt;
-        ok = scene->sharpness->places[objects[i]] == CSG_SHARPNESS_OF_ONE ||
-             csg_surveyor_note(&surveyor, &out[i], scene, &scene->objects->data[objects[i]]);
+        ok = all->places[objects[i]] == CSG_SHARPNESS_OF_ONE ||
+             csg_surveyor_note(all->surveyor, &out[i], scene, &scene->objects->data[objects[i]]);
     }
-    csg_surveyor_finish(&surveyor);
     return ok;
 }
 
@@ -184,6 +195,9 @@ void csg_sharpness_destroy(struct csg_sharpnesses *sharpness)
 {
     if (!sharpness)
         return;
+    if (sharpness->surveyor)
+        csg_surveyor_finish(sharpness->surveyor);
+    free(sharpness->surveyor);
     free(sharpness->places);
     free(sharpness->kept);
     free(sharpness);

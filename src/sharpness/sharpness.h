@@ -13,6 +13,7 @@
 #include "csg/object.h"
 
 struct csg_before;
+struct csg_surveyor;
 
 enum csg_fineness {
     CSG_FINE_THICKNESS, /* of a solid: the least height of its box */
@@ -43,6 +44,7 @@ struct csg_sharpness {
 struct csg_sharpnesses {
     uint32_t *places; /* by object: its place in kept, or CSG_SHARPNESS_OF_ONE */
     struct csg_sharpness *kept;
+    struct csg_surveyor *surveyor; /* that measures anew, or NULL */
 };
 
 #define CSG_SHARPNESS_OF_ONE UINT32_MAX

@@ -23,6 +23,7 @@ void csg_surveyor_finish(struct csg_surveyor *surveyor)
 {
     csg_flats_finish(&surveyor->planes);
     csg_rounds_finish(&surveyor->quadrics);
+    csg_recall_finish(&surveyor->recall);
     free(surveyor->marks);
 }
 
@@ -162,13 +163,13 @@ static struct csg_ball ball_of(const struct csg_object *object, const struct csg
  * has started. */
 enum { NUM_RUNS = 8, MIN_NODES = 1024 };
 
-/* What counts in turn: of two that are equal the first is named. */
-enum { OF_LEAVES, OF_PLANES, OF_QUADRICS, NUM_SOURCES };
+/* Between them count planes; of two values that are equal the first is named. */
+enum { OF_LEAVES, OF_QUADRICS, NUM_SOURCES };
 
 struct noting {
     const struct csgcast_scene *scene;
     const struct csg_object *object;
-    const struct csg_surveyor *surveyor;
+    struct csg_surveyor *surveyor;
     struct csg_ball ball;
     struct csg_sharpness found[NUM_SOURCES][NUM_RUNS];
 };
@@ -187,52 +188,66 @@ static void note_run(void *user, size_t run)
     struct noting *noting = user;
     const struct csg_object *object = noting->object;
     const size_t num_nodes = object->end - object->begin;
-    const size_t num_planes = noting->surveyor->planes.all.num;
+    const size_t num_blocks = noting->surveyor->recall.blocks.num;
     const size_t num_quadrics = noting->surveyor->quadrics.keys.list.num;
     for (int source = 0; source < NUM_SOURCES; source++)
         noting->found[source][run] = csg_sharpness_blunt;
     note_leaves(noting, object->begin + num_nodes * run / NUM_RUNS,
                 object->begin + num_nodes * (run + 1) / NUM_RUNS, &noting->found[OF_LEAVES][run]);
-    csg_flats_note(&noting->surveyor->planes, noting->scene, num_planes * run / NUM_RUNS,
-                   num_planes * (run + 1) / NUM_RUNS, &noting->ball,
-                   &noting->found[OF_PLANES][run]);
+    csg_recall_renew(&noting->surveyor->recall, &noting->surveyor->planes, noting->scene,
+                     num_blocks * run / NUM_RUNS, num_blocks * (run + 1) / NUM_RUNS);
     csg_rounds_note(&noting->surveyor->quadrics, noting->scene, num_quadrics * run / NUM_RUNS,
                     num_quadrics * (run + 1) / NUM_RUNS, noting->surveyor->marks,
                     noting->ball.radius, &noting->found[OF_QUADRICS][run]);
+}
+
+static void note_found(struct csg_sharpness *sharp, const struct csg_sharpness *found)
+{
+    for (int what = 0; what < CSG_NUM_FINE; what++)
+        csg_sharpness_note(sharp, (enum csg_fineness)what, found->least[what], found->leaf[what]);
 }
 
 static void note_runs(struct csg_sharpness *sharp, struct noting *noting)
 {
     const bool is_large = noting->object->end - noting->object->begin >= MIN_NODES;
     csg_parallel(is_large ? noting->scene->num_threads : 1, NUM_RUNS, note_run, noting);
-    for (int source = 0; source < NUM_SOURCES; source++)
-        for (size_t run = 0; run < NUM_RUNS; run++) {
-            const struct csg_sharpness *found = &noting->found[source][run];
-            for (int what = 0; what < CSG_NUM_FINE; what++)
-                csg_sharpness_note(sharp, (enum csg_fineness)what, found->least[what],
-                                   found->leaf[what]);
-        }
+    const struct csg_recall *planes = &noting->surveyor->recall;
+    for (size_t run = 0; run < NUM_RUNS; run++)
+        note_found(sharp, &noting->found[OF_LEAVES][run]);
+    for (size_t block = 0; block < planes->blocks.num; block++)
+        note_found(sharp, &planes->blocks.data[block].sharp);
+    for (size_t run = 0; run < NUM_RUNS; run++)
+        note_found(sharp, &noting->found[OF_QUADRICS][run]);
 }
 
-bool csg_surveyor_note(struct csg_surveyor *surveyor, struct csg_sharpness *sharp,
-                       const struct csgcast_scene *scene, const struct csg_object *object)
+static bool note_object(struct csg_surveyor *surveyor, struct csg_sharpness *sharp,
+                        const struct csgcast_scene *scene, const struct csg_object *object)
 {
     const struct csg_node *nodes = scene->trees[object->layer].data;
-    surveyor->planes.all.num = surveyor->quadrics.all.num = 0;
+    surveyor->planes.all.num = surveyor->quadrics.all.num = surveyor->recall.num_leaves = 0;
     clear_marks(nodes, object, surveyor->marks); /* of another object with the same leaves */
     if (!note_stacks(sharp, scene, object, surveyor->marks))
         return false;
     for (uint32_t i = object->begin; i < object->end; i++)
         if (nodes[i].op == CSG_LEAF && !nodes[i].spare &&
-            !add_leaf(surveyor, scene, &nodes[i], surveyor->marks[nodes[i].leaf]))
+            (!add_leaf(surveyor, scene, &nodes[i], surveyor->marks[nodes[i].leaf]) ||
+             !csg_recall_add_leaf(&surveyor->recall, scene, nodes[i].leaf, surveyor->marks)))
             return false;
     struct noting noting = {
         .scene = scene, .object = object, .surveyor = surveyor, .ball = ball_of(object, surveyor)};
     if (!csg_flats_sort(&surveyor->planes, noting.ball.center) ||
-        !csg_rounds_sort(&surveyor->quadrics))
+        !csg_rounds_sort(&surveyor->quadrics) ||
+        !csg_recall_compare(&surveyor->recall, &surveyor->planes, surveyor->marks, &noting.ball))
         return false;
     note_runs(sharp, &noting);
     return true;
+}
+
+bool csg_surveyor_note(struct csg_surveyor *surveyor, struct csg_sharpness *sharp,
+                       const struct csgcast_scene *scene, const struct csg_object *object)
+{
+    surveyor->recall.holds = note_object(surveyor, sharp, scene, object);
+    return surveyor->recall.holds;
 }
 
 bool csg_sharpness_is_of_one(const struct csgcast_scene *scene, const struct csg_object *object)

@@ -4,7 +4,7 @@
 
 /* Finds the sharpness of one object after the other. */
 
-#include "sharpness/flats.h"
+#include "sharpness/recall.h"
 #include "sharpness/rounds.h"
 #include "sharpness/sharpness.h"
 
@@ -12,7 +12,8 @@
 struct csg_surveyor {
     struct csg_flats planes;
     struct csg_rounds quadrics;
-    uint8_t *marks; /* by leaf: CSG_WALL_*, of an object */
+    uint8_t *marks; /* by leaf: CSG_WALL_*, CSG_RECALL_MOVED, of an object */
+    struct csg_recall recall;
 };
 
 /* As of an object without any geometry. */
