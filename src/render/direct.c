@@ -6,6 +6,10 @@
 /* Where more fragments than these a pixel would be lit, a pass of its own is cheaper. */
 #define MAX_LIT 2.0
 
+/* A view that moves would compile the programs of both ways where its fragments come to about that:
+ * it changes its way only where they are more, or fewer, by this factor. */
+#define MARGIN 1.5
+
 /* llvmpipe runs blocks of 4 x 4 fragments: what a rectangle has of them beyond its edges. */
 #define EDGE_FRAGMENTS 16
 
@@ -58,28 +62,33 @@ static bool is_opaque(const struct csg_draw *draw)
     return !draw->translucent && draw->layer == CSG_LAYER_MODEL && draw->paint == CSG_LAYER_MODEL;
 }
 
-/* Few fragments a pixel. */
-static bool is_thin(const struct csg_frame *frame, const struct csg_request *request)
+/* Fragments a pixel, about. */
+static double count_lit(const struct csg_frame *frame, const struct csg_request *request)
 {
     float rect[4];
+    if (csg_is_disjoint(frame))
+        return 0;
     csg_bound_draws(frame, rect);
     const double width = 0.5 * ((double)rect[2] - (double)rect[0]) * request->width;
     const double height = 0.5 * ((double)rect[3] - (double)rect[1]) * request->height;
     size_t num = frame->draws.num;
     for (size_t i = 0; i < frame->crowd.runs.num; i++)
         num += frame->crowd.runs.data[i].num;
-    return (double)(frame->proxy_pixels + EDGE_FRAGMENTS * num) <= MAX_LIT * width * height;
+    return (double)(frame->proxy_pixels + EDGE_FRAGMENTS * num) / (width * height);
 }
 
 /* Frames after an edit keep to what the one before was, so that nothing is compiled; so do forced
- * variants, which compile no more than they need. */
-static bool is_kept_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
+ * variants of scenes that are edited, which compile no more than they need. */
+static bool is_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
     const bool is_known = renderer->thin_scene == request->scene;
-    if (request->after_edit || (is_known && request->resolver >= 0))
-        return is_known && renderer->thin;
+    const bool was_thin = is_known && renderer->thin;
+    const bool forced = request->scene->keeps_structure && request->resolver >= 0;
+    if (request->after_edit || (is_known && forced))
+        return was_thin;
+    const double margin = !is_known ? 1 : was_thin ? MARGIN : 1 / MARGIN;
     renderer->thin_scene = request->scene;
-    renderer->thin = csg_is_disjoint(&renderer->frame) || is_thin(&renderer->frame, request);
+    renderer->thin = count_lit(&renderer->frame, request) <= margin * MAX_LIT;
     return renderer->thin;
 }
 
@@ -92,6 +101,5 @@ bool csg_draws_directly(struct csgcast_renderer *renderer, const struct csg_requ
     for (size_t i = 0; i < frame->draws.num; i++)
         if (!is_opaque(&frame->draws.data[i]))
             return false;
-    return request->scene->keeps_structure ? is_kept_thin(renderer, request)
-                                           : csg_is_disjoint(frame) || is_thin(frame, request);
+    return is_thin(renderer, request);
 }

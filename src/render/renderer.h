@@ -35,8 +35,8 @@ struct csgcast_renderer {
     int tile_size;   /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     GLuint vertex_array, point_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;
-    const struct csgcast_scene *thin_scene; /* an edited scene, and what is_thin said of it last */
-    bool thin;
+    const struct csgcast_scene *thin_scene; /* what is_thin in direct.c was last asked of, */
+    bool thin;                              /* ... and what it said */
     const struct csgcast_scene *last_scene; /* of the last frame, if it is one that is edited, */
     uint64_t last_revision;                 /* ... as it was then */
     bool has_drawn;                         /* some picture, with OpenGL */

@@ -2,6 +2,7 @@
 /*
  * When programs are compiled: of a fixed scene few with the first picture and the others with those
  * after it, of one that may be edited all with the first.
+ * Where a view moves a little, colours go on being drawn with or without a pass of their own.
  */
 #include <string.h>
 
@@ -76,9 +77,60 @@ static void check_edited(void)
     csgcast_renderer_destroy(renderer);
 }
 
+/* Six slabs, each with a corner cut off, one above the other. */
+static struct csgcast_scene *parse_slabs(void)
+{
+    char slabs[2048] = "";
+    for (int i = 0; i < 6; i++) {
+        const size_t length = strlen(slabs);
+        snprintf(slabs + length, sizeof slabs - length,
+                 "multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, %d], [0, 0, 0, 1]])"
+                 " difference() { cube([20, 20, 1]); cube([5, 5, 1]); }",
+                 3 * i);
+    }
+    struct csgcast_scene *scene =
+        csgcast_scene_parse(slabs, strlen(slabs), &(struct csgcast_scene_params){.fixed = true});
+    CHECK(scene, "no slabs");
+    return scene;
+}
+
+/* tilt: degrees, 0 from above, where the slabs cover each other. */
+static size_t draw_tilted(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                          double tilt)
+{
+    const struct csgcast_view view = {.width = SIZE,
+                                      .height = SIZE,
+                                      .variant = "straight",
+                                      .camera = {.kind = CSGCAST_CAMERA_GIMBAL,
+                                                 .rotate = {tilt, 0, 0},
+                                                 .distance = 100,
+                                                 .projection = CSGCAST_ORTHOGRAPHIC,
+                                                 .viewall = true}};
+    struct csgcast_stats stats;
+    CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = later}),
+          "no picture of slabs");
+    csgcast_renderer_get_stats(renderer, &stats);
+    return stats.programs;
+}
+
+/* Fragments a pixel come to 2 between the first two tilts, and to a third of that or its threefold
+ * at the last one. */
+static void check_moved(double tilt, double near, double far)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *scene = parse_slabs();
+    const size_t programs = draw_tilted(renderer, scene, tilt);
+    CHECK(draw_tilted(renderer, scene, near) == programs, "%g to %g degrees compiled", tilt, near);
+    CHECK(draw_tilted(renderer, scene, far) > programs, "%g to %g degrees kept to it", near, far);
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+}
+
 int main(void)
 {
     check_fixed();
     check_edited();
+    check_moved(78, 64, 0);
+    check_moved(64, 78, 90);
     return num_failed != 0;
 }
