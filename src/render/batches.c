@@ -7,6 +7,28 @@
 #include "render/direct.h"
 #include "render/turns.h"
 
+static bool is_overlay(const struct csg_draw *draw)
+{
+    return draw->translucent || draw->paint != CSG_LAYER_MODEL;
+}
+
+/* By paint, whether too many objects are not simply opaque to come one after the other. */
+static void find_together(struct csg_batches *batches, const struct csg_frame *frame)
+{
+    uint32_t last[CSG_NUM_LAYERS] = {CSG_ANY_OBJECT, CSG_ANY_OBJECT, CSG_ANY_OBJECT};
+    size_t num[CSG_NUM_LAYERS] = {0};
+    for (size_t i = 0; i < frame->draws.num; i++) {
+        const struct csg_draw *draw = &frame->draws.data[i];
+        if (!is_overlay(draw))
+            continue;
+        num[draw->paint] += draw->object != last[draw->paint];
+        last[draw->paint] = draw->object;
+    }
+    for (int paint = 0; paint < CSG_NUM_LAYERS; paint++)
+        batches->together[paint] = num[paint] > CSG_MAX_OVERLAYS;
+    batches->together[CSG_LAYER_MODEL] |= frame->crowd.together;
+}
+
 static bool add_draw(struct csg_batches *batches, const struct csg_choice *choice,
                      const struct csg_draw *draw, uint32_t instance)
 {
@@ -15,7 +37,7 @@ static bool add_draw(struct csg_batches *batches, const struct csg_choice *choic
         batches->on_cpu++;
     else
         batches->drawn[choice->resolver]++;
-    const bool alone = draw->translucent || draw->paint != CSG_LAYER_MODEL;
+    const bool alone = is_overlay(draw) && !batches->together[draw->paint];
     if (last && last->program == choice->program && last->layer == draw->layer &&
         (!alone || last->object == draw->object) && last->paint == draw->paint &&
         last->translucent == draw->translucent && last->rear == choice->rear &&
@@ -78,8 +100,19 @@ static bool add_alike(struct csg_batches *batches, struct csg_choice *choices, s
     return true;
 }
 
-/* Objects in the order of the file; the tiles of one do not overlap, so those of one program come
- * together. */
+/* Whether it does not matter which of two draws comes first: the tiles of an object do not overlap,
+ * and highlights that are drawn at once have one colour. */
+static bool is_in_any_order(const struct csg_batches *batches, const struct csg_draw *a,
+                            const struct csg_draw *b)
+{
+    const bool has_one_color =
+        a->layer == CSG_LAYER_HIGHLIGHT && batches->together[CSG_LAYER_HIGHLIGHT];
+    return a->layer == b->layer &&
+           (has_one_color || (a->tile && b->tile && a->object == b->object));
+}
+
+/* Objects in the order of the file; where that does not matter, those of one program come together.
+ */
 static bool add_draws(struct csg_batches *batches, struct csg_choice *choices, size_t num,
                       const struct csg_draw *draws)
 {
@@ -87,8 +120,7 @@ static bool add_draws(struct csg_batches *batches, struct csg_choice *choices, s
         return false;
     for (size_t begin = 0, end; begin < num; begin = end) {
         end = begin + 1;
-        while (end < num && draws[begin].tile && draws[end].tile &&
-               draws[end].object == draws[begin].object && draws[end].layer == draws[begin].layer)
+        while (end < num && is_in_any_order(batches, &draws[begin], &draws[end]))
             end++;
         for (size_t i = begin; i < end; i++)
             if (!choices[i].placed && !add_alike(batches, choices, i, end, draws))
@@ -130,6 +162,7 @@ static bool fill(struct csg_batches *batches, struct csg_chooser *chooser,
         note_choice(batches, renderer, request, &choices[i], &draws[i],
                     i == 0 || draws[i - 1].object != draws[i].object);
     }
+    find_together(batches, &renderer->frame);
     return add_draws(batches, choices, num, draws) || csg_log_memory(&renderer->log);
 }
 

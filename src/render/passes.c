@@ -198,49 +198,54 @@ static void draw_round(const struct csg_picture *picture, const struct round *ro
     draw_shading(picture, round);
 }
 
-/* The far sides, then the near ones. */
-static void draw_overlay(const struct csg_picture *picture, const struct csg_batch *batch,
-                         uint32_t object)
+/* The far sides where there are any, then the near ones. */
+static void draw_overlay(const struct csg_picture *picture, struct round round, bool has_rear)
 {
-    struct round round = {.overlay = true,
-                          .rear = true,
-                          .paint = batch->paint,
-                          .translucent = batch->translucent,
-                          .object = object};
-    if (batch->rear)
+    round.overlay = true;
+    round.rear = true;
+    if (has_rear)
         draw_round(picture, &round);
     round.rear = false;
     draw_round(picture, &round);
 }
 
-static size_t count_overlays(const struct csg_picture *picture, uint8_t paint)
+static bool is_overlay(const struct csg_batch *batch, uint8_t paint)
 {
-    uint32_t last = CSG_ANY_OBJECT;
-    size_t num = 0;
-    for (size_t i = 0; i < picture->batches.num; i++) {
-        const struct csg_batch *batch = &picture->batches.data[i];
-        if (batch->paint != paint || csg_batch_is_opaque(batch))
-            continue;
-        num += batch->object != last;
-        last = batch->object;
-    }
-    return num;
+    return batch->paint == paint && !csg_batch_is_opaque(batch);
 }
 
 /* Everything of one paint that is not simply opaque, in file order. */
 static void draw_overlays(const struct csg_picture *picture, uint8_t paint)
 {
     uint32_t last = CSG_ANY_OBJECT;
-    const bool together = count_overlays(picture, paint) > CSG_MAX_OVERLAYS ||
-                          (paint == CSG_LAYER_MODEL && picture->renderer->frame.crowd.together);
     for (size_t i = 0; i < picture->batches.num; i++) {
         const struct csg_batch *batch = &picture->batches.data[i];
-        if (batch->paint != paint || csg_batch_is_opaque(batch) || batch->object == last)
+        if (!is_overlay(batch, paint) || batch->object == last)
             continue;
         last = batch->object;
-        draw_overlay(picture, batch, together ? CSG_ANY_OBJECT : last);
-        if (together)
-            return;
+        const struct round round = {
+            .paint = paint, .translucent = batch->translucent, .object = last};
+        draw_overlay(picture, round, batch->rear != 0);
+    }
+}
+
+/* The same at once, the opaque ones of %, which have colours of their own, first: they show through
+ * the others. */
+static void draw_together(const struct csg_picture *picture, uint8_t paint)
+{
+    bool has[2] = {false}, has_rear[2] = {false};
+    for (size_t i = 0; i < picture->batches.num; i++) {
+        const struct csg_batch *batch = &picture->batches.data[i];
+        if (!is_overlay(batch, paint))
+            continue;
+        has[batch->translucent] = true;
+        has_rear[batch->translucent] |= batch->rear != 0;
+    }
+    for (int i = 0; i < 2; i++) {
+        const struct round round = {
+            .paint = paint, .translucent = i == 1, .object = CSG_ANY_OBJECT};
+        if (has[i])
+            draw_overlay(picture, round, has_rear[i]);
     }
 }
 
@@ -285,7 +290,10 @@ void csg_passes_draw_strip(const struct csg_picture *picture)
     if (mixed)
         draw_round(picture, &opaque);
     for (uint8_t paint = 0; paint < CSG_NUM_LAYERS; paint++)
-        draw_overlays(picture, paint);
+        if (picture->batches.together[paint])
+            draw_together(picture, paint);
+        else
+            draw_overlays(picture, paint);
 }
 
 void csg_passes_draw_nothing(const struct csg_picture *picture)

@@ -80,7 +80,7 @@ struct csg_batch {
     uint8_t layer, paint;
     bool translucent;
     bool points;         /* instances are squares, each drawn as one */
-    uint32_t object;     /* of the first instance; of all where they are not simply opaque */
+    uint32_t object;     /* of the first instance; of all where an object is drawn alone */
     uint32_t first, num; /* instances, numbered as csg_batches.order has them */
     const struct csg_crowd_run *run; /* NULL: other objects than a crowd's */
 };
@@ -88,7 +88,8 @@ struct csg_batch {
 struct csg_batches {
     struct csg_batch *data;
     size_t num, capacity;
-    CSG_ARRAY(uint32_t) order; /* the frame's draws, one batch's after the other's */
+    CSG_ARRAY(uint32_t) order;     /* the frame's draws, one batch's after the other's */
+    bool together[CSG_NUM_LAYERS]; /* by paint: what is not simply opaque is drawn at once */
     size_t drawn[CSG_NUM_RESOLVERS];
     size_t on_cpu; /* objects in double without a driver that has it */
     size_t drawn_single;
