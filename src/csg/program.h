@@ -62,7 +62,7 @@ struct csg_plan {
     uint32_t lefts[CSG_PLAN_MAX_LEFTS];
     size_t num_lefts;
     uint8_t *structures; /* per object, see csg/structure.h */
-    bool is_common[CSG_PLAN_MAX_STRUCTURES];
+    bool is_common[CSG_PLAN_MAX_STRUCTURES], is_frequent[CSG_PLAN_MAX_STRUCTURES];
     bool has_rings;     /* ... and whether some leaf may be part of a stack, */
     bool has_compounds; /* ... some become a surface of triangles */
 };

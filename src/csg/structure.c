@@ -52,6 +52,10 @@ static uint64_t hash_of(const struct csg_structure *structure)
     return hash;
 }
 
+/* Objects of a structure from which on one picture repays its program, as each of them would be cut
+ * into tiles, and so much of the scene that few structures are. */
+enum { MIN_FREQUENT = 64, MAX_FREQUENT_STRUCTURES = 6 };
+
 struct tally {
     uint64_t hash;
     size_t num; /* objects; 0: nothing here */
@@ -72,13 +76,19 @@ static uint8_t count(struct tally *tallies, uint64_t hash)
     return RARE;
 }
 
-static void choose_common(struct csg_plan *plan, struct tally *tallies)
+static bool is_frequent(const struct tally *tally, size_t num_objects)
+{
+    return tally->num >= MIN_FREQUENT && tally->num * MAX_FREQUENT_STRUCTURES >= num_objects;
+}
+
+static void choose_common(struct csg_plan *plan, struct tally *tallies, size_t num_objects)
 {
     for (int k = 0; k < CSG_MAX_STRAIGHT_PROGRAMS; k++) {
         size_t most = 0;
         for (size_t i = 1; i < CSG_PLAN_MAX_STRUCTURES; i++)
             most = tallies[i].num > tallies[most].num ? i : most;
         plan->is_common[most] |= tallies[most].num > 0;
+        plan->is_frequent[most] |= is_frequent(&tallies[most], num_objects);
         tallies[most].num = 0;
     }
 }
@@ -98,7 +108,7 @@ bool csg_plan_count_structures(struct csg_plan *plan, const struct csgcast_scene
                                   ? count(tallies, hash_of(&structure))
                                   : RARE;
     }
-    choose_common(plan, tallies);
+    choose_common(plan, tallies, num_objects);
     return true;
 }
 
@@ -106,4 +116,10 @@ bool csg_plan_is_common(const struct csg_plan *plan, size_t object)
 {
     const uint8_t structure = plan->structures[object];
     return structure == SINGLE || (structure != RARE && plan->is_common[structure]);
+}
+
+bool csg_plan_is_frequent(const struct csg_plan *plan, size_t object)
+{
+    const uint8_t structure = plan->structures[object];
+    return structure < CSG_PLAN_MAX_STRUCTURES && plan->is_frequent[structure];
 }

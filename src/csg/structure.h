@@ -40,4 +40,7 @@ bool csg_plan_count_structures(struct csg_plan *plan, const struct csgcast_scene
  * are met most often. */
 bool csg_plan_is_common(const struct csg_plan *plan, size_t object);
 
+/* Whether so many objects have its structure that one picture repays the program. */
+bool csg_plan_is_frequent(const struct csg_plan *plan, size_t object);
+
 #endif

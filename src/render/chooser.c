@@ -25,11 +25,15 @@ struct csg_structure csg_chooser_structure(const struct csg_request *request, ui
                                   plan->begin[object + 1] - plan->begin[object], request->scene};
 }
 
-/* A picture alone has programs of their own for single solids only, whichever they are. */
+/* A picture alone has programs of their own for single solids only, whichever they are; the first of
+ * several for what the scene has many of, too. */
 static bool may_be_straight(const struct csg_request *request,
                             const struct csg_structure *structure, size_t object)
 {
-    return request->shared ? structure->num == 1 : csg_plan_is_common(request->scene->plan, object);
+    const struct csg_plan *plan = request->scene->plan;
+    if (!request->shared)
+        return csg_plan_is_common(plan, object);
+    return structure->num == 1 || (request->first && csg_plan_is_frequent(plan, object));
 }
 
 /* Whether a small structure with a program of its own is drawn in one piece only where it covers
@@ -58,7 +62,8 @@ bool csg_draws_whole(size_t object, double area, const void *user)
     const struct csg_request *request = user;
     const struct csg_structure structure = csg_chooser_structure(request, (uint32_t)object);
     if (request->tile_size || request->resolver == CSG_RESOLVER_CHAIN ||
-        request->resolver == CSG_RESOLVER_CELLS || (request->shared && structure.num > 1))
+        request->resolver == CSG_RESOLVER_CELLS ||
+        (request->shared && !may_be_straight(request, &structure, object)))
         return false;
     if (request->resolver == CSG_RESOLVER_ALGORITHM4)
         return csg_structure_crossings(&structure) <= CSG_ALGORITHM4_MAX_CROSSINGS;

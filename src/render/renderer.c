@@ -131,7 +131,8 @@ static bool resolve_request(const struct csgcast_renderer *renderer, struct csg_
     request->shared = view->variant && strcmp(view->variant, CSG_SHARED_NAME) == 0;
     request->same_inputs = !request->textbook && renderer->gl && renderer->gl->is_llvmpipe;
     request->resolver = find_resolver(request->textbook || request->shared ? NULL : view->variant);
-    request->shared |= is_first(renderer, request);
+    request->first = !request->shared && is_first(renderer, request);
+    request->shared |= request->first;
     if (!request->scheme)
         return argument_error(renderer, "colour scheme", view->colorscheme);
     if (request->resolver == CSG_NUM_RESOLVERS)

@@ -54,6 +54,7 @@ struct csg_request {
     int resolver;     /* enum csg_resolver, or -1 for the best */
     bool textbook;    /* crossings as textbooks have them */
     bool shared;      /* no straight-line programs but those of single solids, and few others */
+    bool first;       /* ... but those of structures that much of the scene has */
     bool same_inputs; /* on llvmpipe, that compiles code for each set of flat inputs, see
                        * shaders/common/inputs.glsl. Other drivers may allow fewer than that is. */
     int tile_size;    /* as in csg_frame_params */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * When programs are compiled: of a fixed scene few with the first picture and the others with those
- * after it, of one that may be edited all with the first.
- * Where a view moves a little, colours go on being drawn with or without a pass of their own.
+ * after it, of one that may be edited all with the first. A part of which there are many has its
+ * program at once. Where a view moves a little, colours go on being drawn with or without a pass of
+ * their own.
  */
 #include <string.h>
 
@@ -63,6 +64,30 @@ static void check_fixed(void)
     csgcast_scene_destroy(scene);
     scene = parse(true);
     CHECK(draw(renderer, scene, later) == all, "another scene of the same kind compiled some");
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+}
+
+/* One part, again and again: its program alone draws the first picture. */
+static void check_copies(void)
+{
+    enum { NUM = 100 };
+    static char parts[256 * NUM];
+    for (int i = 0; i < NUM; i++) {
+        const size_t length = strlen(parts);
+        snprintf(parts + length, sizeof parts - length,
+                 "multmatrix([[1, 0, 0, %d], [0, 1, 0, %d], [0, 0, 1, 0], [0, 0, 0, 1]])"
+                 " difference() { cube([10, 10, 4]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5],"
+                 " [0, 0, 1, -1], [0, 0, 0, 1]]) cylinder(h = 6, r1 = 2, r2 = 4); }",
+                 12 * (i % 10), 12 * (i / 10));
+    }
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *scene =
+        csgcast_scene_parse(parts, strlen(parts), &(struct csgcast_scene_params){.fixed = true});
+    CHECK(scene, "no copies");
+    const size_t few = draw(renderer, scene, first);
+    CHECK(few == 1, "the first picture of copies compiled %zu programs", few);
+    CHECK(settle(renderer, scene, few) == few, "later pictures of copies compiled some");
     csgcast_scene_destroy(scene);
     csgcast_renderer_destroy(renderer);
 }
@@ -129,6 +154,7 @@ static void check_moved(double tilt, double near, double far)
 int main(void)
 {
     check_fixed();
+    check_copies();
     check_edited();
     check_moved(78, 64, 0);
     check_moved(64, 78, 90);

@@ -377,9 +377,10 @@ CSGCAST_API const char *csgcast_colorscheme_name(size_t index);
  * it.
  *
  * A renderer's first picture of a fixed scene by "auto" is drawn as by "shared", so that it does not
- * wait for programs that only later ones repay. Those after it compile them: as many as a driver
- * has from its cache in some 10 ms, else a few a picture. Draw until csgcast_stats' programs
- * stays the same to have that over before an animation begins. */
+ * wait for programs that only later ones repay; only parts of which there are many have theirs at
+ * once. Those after it compile them: as many as a driver has from its cache in some 10 ms, else a
+ * few a picture. Draw until csgcast_stats' programs stays the same to have that over before an
+ * animation begins. */
 CSGCAST_API const char *csgcast_variant_name(size_t index);
 
 /* A camera resolved against a scene: what is rendered. All vectors in scene units. */
