@@ -131,13 +131,14 @@ static bool is_drawn_alone(const struct csg_chooser *chooser, const struct csg_d
 
 /* A view that moves is not to stop for all chains that it asks for: while the driver takes its time
  * for them they come one a frame, and those that there are do for the others. Scenes that may be
- * edited have all from the first frame on. */
+ * edited have those for any tile from the first frame on. */
 static bool may_compile_chain(const struct csg_chooser *chooser)
 {
     const struct csg_request *request = chooser->request;
     const double compiled = chooser->renderer->programs.compile_ms - chooser->compiled_ms;
     return !request->after_edit &&
-           (request->scene->keeps_structure || request->resolver >= 0 || compiled < MAX_COMPILE_MS);
+           (request->scene->keeps_structure ? !request->settled
+                                            : request->resolver >= 0 || compiled < MAX_COMPILE_MS);
 }
 
 /* The smallest chain that can be used for that; -1: none. */

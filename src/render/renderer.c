@@ -217,13 +217,10 @@ static bool is_ready(struct csgcast_renderer *renderer)
     return !renderer->lost;
 }
 
-/* Forced variants have the programs that they ask for. */
-static bool is_after_edit(const struct csgcast_renderer *renderer,
-                          const struct csg_request *request)
+/* last_scene is one that may be edited. Forced variants have the programs that they ask for. */
+static bool is_settled(const struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    return renderer->last_scene == request->scene &&
-           renderer->last_revision < request->scene->revision && request->resolver < 0 &&
-           !request->textbook;
+    return renderer->last_scene == request->scene && request->resolver < 0 && !request->textbook;
 }
 
 bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
@@ -240,7 +237,8 @@ bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scen
                                   .image = image ? image : &no_image};
     if (!resolve_request(renderer, &request))
         return false;
-    request.after_edit = is_after_edit(renderer, &request);
+    request.settled = is_settled(renderer, &request);
+    request.after_edit = request.settled && renderer->last_revision < scene->revision;
     renderer->stats = (struct csgcast_stats){.load_ms = scene->load_ms, .csg_ms = scene->csg_ms};
     const struct csg_reference_params params = {&request.frustum,        request.width,
                                                 request.height,          request.scheme,

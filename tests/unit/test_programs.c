@@ -5,6 +5,7 @@
  * program at once. Where a view moves a little, colours go on being drawn with or without a pass of
  * their own.
  */
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -102,6 +103,49 @@ static void check_edited(void)
     csgcast_renderer_destroy(renderer);
 }
 
+/* A cube less what balls have in common with cylinders that lie in them. */
+static struct csgcast_scene *parse_bites(void)
+{
+    char bites[4096] = "difference() { cube([20, 20, 20], center = true);";
+    for (int i = 0; i < 8; i++) {
+        const size_t length = strlen(bites);
+        const double turn = 2.4 * i, z = 12 - 1.5 * i, r = sqrt(144 - z * z);
+        snprintf(bites + length, sizeof bites - length,
+                 "multmatrix([[%g, %g, 0, %g], [%g, %g, 0, %g], [0, 0, 1, %g], [0, 0, 0, 1]])"
+                 " intersection() { sphere(r = 4);"
+                 " multmatrix([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])"
+                 "  cylinder(h = 10, r1 = 2.5, r2 = 2.5, center = true); }",
+                 cos(turn), -sin(turn), r * cos(turn), sin(turn), cos(turn), r * sin(turn), z);
+    }
+    const size_t length = strlen(bites);
+    snprintf(bites + length, sizeof bites - length, "}");
+    struct csgcast_scene *scene = csgcast_scene_parse(bites, strlen(bites), NULL);
+    CHECK(scene, "no bites");
+    return scene;
+}
+
+/* Views of a scene that may be edited ask for other chains, and get those that there are. */
+static void check_orbit(void)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *scene = parse_bites();
+    struct csgcast_stats stats;
+    size_t all = 0;
+    for (int turn = 0; turn < 360; turn += 9) {
+        const double tilt = turn == 0 ? 55 : 35;
+        const struct csgcast_camera camera = {
+            .kind = CSGCAST_CAMERA_GIMBAL, .rotate = {tilt, 0, turn}, .distance = 85};
+        const struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = camera};
+        CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = later}),
+              "no picture of bites");
+        csgcast_renderer_get_stats(renderer, &stats);
+        all = turn == 0 ? stats.programs : all;
+        CHECK(stats.programs == all, "turned by %d it compiled", turn);
+    }
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+}
+
 /* Six slabs, each with a corner cut off, one above the other. */
 static struct csgcast_scene *parse_slabs(void)
 {
@@ -156,6 +200,7 @@ int main(void)
     check_fixed();
     check_copies();
     check_edited();
+    check_orbit();
     check_moved(78, 64, 0);
     check_moved(64, 78, 90);
     return num_failed != 0;
