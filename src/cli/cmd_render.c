@@ -47,11 +47,16 @@ static bool allocate_channel(float **channel, bool wanted, size_t num)
     return *channel || !wanted;
 }
 
+static bool has_aov(const struct csgcast_write_params *write)
+{
+    return write->write_z || write->write_normal || write->write_id;
+}
+
 /* Whether the file is sure to hold 8 bits a channel: these are cheaper to draw than floats. */
 static bool holds_bytes(const char *output, const struct csgcast_write_params *write)
 {
-    const bool aov = write->write_z || write->write_normal || write->write_id;
-    return !aov && (write->bits == 8 || (write->bits == 0 && is_png(output, write->format)));
+    return !has_aov(write) &&
+           (write->bits == 8 || (write->bits == 0 && is_png(output, write->format)));
 }
 
 /* bytes: colours as bytes. */
@@ -281,12 +286,11 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
 
 static bool can_antialias(const struct csg_cli_options *options)
 {
-    const struct csgcast_write_params *write = &options->write;
-    const bool aov = write->write_z || write->write_normal || write->write_id;
-    if (aov && options->antialias > 1)
-        csg_cli_error("--antialias is for colours: the mean of several rays' Z, N or id is that of "
-                      "no surface; write them to a file of their own, without it");
-    return !aov || options->antialias <= 1;
+    if (!has_aov(&options->write) || options->antialias <= 1)
+        return true;
+    csg_cli_error("--antialias is for colours: the mean of several rays' Z, N or id is that of no "
+                  "surface; write them to a file of their own, without it");
+    return false;
 }
 
 /* The first failure is what is told; the others are drawn all the same. */

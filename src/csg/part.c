@@ -78,6 +78,17 @@ bool csg_part_append(struct csg_part *part, struct csg_part *other, bool negated
     return ok;
 }
 
+struct csg_box csg_part_box(const struct csg_part *part)
+{
+    struct csg_box box = csg_box_empty;
+    for (size_t i = 0; i < part->shapes.num; i++) {
+        const struct csg_shape *shape = &part->shapes.data[i];
+        const struct csg_box own = csg_box_map(&shape->frame, &shape->bounds);
+        box = csg_box_union(&box, &own);
+    }
+    return box;
+}
+
 bool csg_part_is_union(const struct csg_part *part)
 {
     for (size_t i = 0; i < part->tree.num; i++) {

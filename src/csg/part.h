@@ -34,6 +34,9 @@ bool csg_part_add(struct csg_part *part, struct csg_shape *shape, bool negated);
 /* Adds all of other, or its complement; other is empty afterwards. */
 bool csg_part_append(struct csg_part *part, struct csg_part *other, bool negated);
 
+/* Around all shapes, whatever becomes of them. */
+struct csg_box csg_part_box(const struct csg_part *part);
+
 /* Whether it is a union of shapes. */
 bool csg_part_is_union(const struct csg_part *part);
 

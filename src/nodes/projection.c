@@ -245,13 +245,8 @@ static enum csg_hull_result add_leaf_section(struct projection *projection,
 /* What every section is within. */
 static bool add_surroundings(struct projection *projection, const struct csg_part *part)
 {
-    struct csg_box box = csg_box_empty;
+    const struct csg_box box = csg_part_box(part);
     struct csg_flat_points corners = {0};
-    for (size_t i = 0; i < part->shapes.num; i++) {
-        const struct csg_shape *shape = &part->shapes.data[i];
-        const struct csg_box mapped = csg_box_map(&shape->frame, &shape->bounds);
-        box = csg_box_union(&box, &mapped);
-    }
     const struct csg_vec3 size = csg_sub(box.hi, box.lo);
     bool ok = true;
     for (int i = 0; i < 4 && ok; i++) {

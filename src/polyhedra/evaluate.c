@@ -262,13 +262,8 @@ static bool visit(struct evaluator *evaluator, const struct csg_node *node)
 static bool start(struct evaluator *evaluator)
 {
     const struct csg_part *part = evaluator->part;
-    struct csg_box box = csg_box_empty;
+    struct csg_box box = csg_part_box(part);
     struct csg_cell cell = {0};
-    for (size_t i = 0; i < part->shapes.num; i++) {
-        const struct csg_shape *shape = &part->shapes.data[i];
-        const struct csg_box own = csg_box_map(&shape->frame, &shape->bounds);
-        box = csg_box_union(&box, &own);
-    }
     if (csg_box_is_empty(&box))
         box = (struct csg_box){{0, 0, 0}, {1, 1, 1}};
     const struct csg_vec3 size = csg_sub(box.hi, box.lo);

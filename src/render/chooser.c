@@ -136,9 +136,8 @@ static bool may_compile_chain(const struct csg_chooser *chooser)
 {
     const struct csg_request *request = chooser->request;
     const double compiled = chooser->renderer->programs.compile_ms - chooser->compiled_ms;
-    return !request->after_edit &&
-           (request->scene->keeps_structure ? !request->settled
-                                            : request->resolver >= 0 || compiled < MAX_COMPILE_MS);
+    return !request->settled &&
+           (request->scene->keeps_structure || request->resolver >= 0 || compiled < MAX_COMPILE_MS);
 }
 
 /* The smallest chain that can be used for that; -1: none. */

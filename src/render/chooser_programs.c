@@ -46,9 +46,8 @@ static GLuint find_shared(const struct csg_chooser *chooser, enum csg_resolver r
 {
     const struct csg_programs *programs = &chooser->renderer->programs;
     const uint32_t name = name_of(chooser, resolver, -1, features);
-    return chooser->request->after_edit || chooser->request->settled
-               ? csg_programs_noted_above(programs, name, more_than(features))
-               : csg_programs_noted(programs, name);
+    return chooser->request->settled ? csg_programs_noted_above(programs, name, more_than(features))
+                                     : csg_programs_noted(programs, name);
 }
 
 bool csg_chooser_knows(const struct csg_chooser *chooser, enum csg_resolver resolver, int features)

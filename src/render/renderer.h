@@ -59,7 +59,7 @@ struct csg_request {
                        * shaders/common/inputs.glsl. Other drivers may allow fewer than that is. */
     int tile_size;    /* as in csg_frame_params */
     bool settled;     /* no first frame of a scene that may be edited: it has programs for most */
-    bool after_edit;  /* the first frame since then: it makes do with the programs that there are */
+    bool after_edit;  /* ... the first since then: it makes do with the programs that there are */
     const struct csgcast_image *image;
 };
 

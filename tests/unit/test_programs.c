@@ -22,15 +22,22 @@ static const char text[] = "difference() { cube([20, 20, 20], center = true); sp
 
 static unsigned char first[4 * SIZE * SIZE], later[4 * SIZE * SIZE];
 
-static size_t draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
-                   unsigned char *rgba8)
+/* The number of programs that there are then. */
+static size_t draw_view(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                        struct csgcast_view view, unsigned char *rgba8)
 {
-    const struct csgcast_view view = {.width = SIZE, .height = SIZE};
     struct csgcast_stats stats;
+    view.width = view.height = SIZE;
     CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = rgba8}),
           "no picture");
     csgcast_renderer_get_stats(renderer, &stats);
     return stats.programs;
+}
+
+static size_t draw(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
+                   unsigned char *rgba8)
+{
+    return draw_view(renderer, scene, (struct csgcast_view){.width = SIZE}, rgba8);
 }
 
 static struct csgcast_scene *parse(bool fixed)
@@ -129,18 +136,15 @@ static void check_orbit(void)
 {
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
     struct csgcast_scene *scene = parse_bites();
-    struct csgcast_stats stats;
     size_t all = 0;
     for (int turn = 0; turn < 360; turn += 9) {
         const double tilt = turn == 0 ? 55 : 35;
         const struct csgcast_camera camera = {
             .kind = CSGCAST_CAMERA_GIMBAL, .rotate = {tilt, 0, turn}, .distance = 85};
-        const struct csgcast_view view = {.width = SIZE, .height = SIZE, .camera = camera};
-        CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = later}),
-              "no picture of bites");
-        csgcast_renderer_get_stats(renderer, &stats);
-        all = turn == 0 ? stats.programs : all;
-        CHECK(stats.programs == all, "turned by %d it compiled", turn);
+        const size_t programs =
+            draw_view(renderer, scene, (struct csgcast_view){.camera = camera}, later);
+        all = turn == 0 ? programs : all;
+        CHECK(programs == all, "turned by %d it compiled", turn);
     }
     csgcast_scene_destroy(scene);
     csgcast_renderer_destroy(renderer);
@@ -167,19 +171,13 @@ static struct csgcast_scene *parse_slabs(void)
 static size_t draw_tilted(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,
                           double tilt)
 {
-    const struct csgcast_view view = {.width = SIZE,
-                                      .height = SIZE,
-                                      .variant = "straight",
-                                      .camera = {.kind = CSGCAST_CAMERA_GIMBAL,
-                                                 .rotate = {tilt, 0, 0},
-                                                 .distance = 100,
-                                                 .projection = CSGCAST_ORTHOGRAPHIC,
-                                                 .viewall = true}};
-    struct csgcast_stats stats;
-    CHECK(csgcast_render(renderer, scene, &view, &(struct csgcast_image){.rgba8 = later}),
-          "no picture of slabs");
-    csgcast_renderer_get_stats(renderer, &stats);
-    return stats.programs;
+    const struct csgcast_camera camera = {.kind = CSGCAST_CAMERA_GIMBAL,
+                                          .rotate = {tilt, 0, 0},
+                                          .distance = 100,
+                                          .projection = CSGCAST_ORTHOGRAPHIC,
+                                          .viewall = true};
+    return draw_view(renderer, scene,
+                     (struct csgcast_view){.variant = "straight", .camera = camera}, later);
 }
 
 /* Fragments a pixel come to 2 between the first two tilts, and to a third of that or its threefold
