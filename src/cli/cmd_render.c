@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
+#define COMPILED_MS 10   /* what the driver finds in its cache takes one or two */
 
 static bool is_png(const char *output, const char *format)
 {
@@ -132,16 +133,26 @@ struct drawing {
     struct csgcast_renderer *renderer;
 };
 
+/* Someone at a terminal has waited for the driver's compiler, and need not the next time. */
+static void tell_compiled(const struct csg_cli_options *options, const struct csgcast_stats *stats)
+{
+    if (stats->compile_ms > COMPILED_MS && !options->quiet && isatty(STDERR_FILENO))
+        fprintf(stderr,
+                "csgcast: the driver had programs to compile; `csgcast warm` has it compile "
+                "and keep those of most scenes\n");
+}
+
 static bool render_image(const struct drawing *drawing, const struct csgcast_view *view,
                          const struct csgcast_image *image)
 {
-    const bool good = csgcast_render(drawing->renderer, drawing->scene, view, image);
-    if (good && drawing->options->stats) {
-        struct csgcast_stats stats;
-        csgcast_renderer_get_stats(drawing->renderer, &stats);
+    struct csgcast_stats stats;
+    if (!csgcast_render(drawing->renderer, drawing->scene, view, image))
+        return false;
+    csgcast_renderer_get_stats(drawing->renderer, &stats);
+    tell_compiled(drawing->options, &stats);
+    if (drawing->options->stats)
         csg_cli_print_stats(stderr, csgcast_renderer_name(drawing->renderer), &stats);
-    }
-    return good;
+    return true;
 }
 
 static enum csg_cli_exit render_scene(const struct drawing *drawing, const char *output)

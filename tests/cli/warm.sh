@@ -66,9 +66,20 @@ scene behind <<<"%cube([10, 10, 10]); $five"
 holes 2 "cylinder(h = 9, r = 1);" | scene drilled
 holes 40 "cylinder(h = 9, r = 1);" | scene many
 
+# What a render of `five` says on a terminal.
+on_terminal()
+{
+    script -qec "'$csgcast' render five.csg -o x.png $*" /dev/null
+}
+
+check "a terminal is told of warm" grep -q 'csgcast warm' <(on_terminal)
+rm -r cache
+mkdir cache
+check "not with -q" test -z "$(on_terminal -q)"
 timeout 250 "$csgcast" warm 2>err
 report $? "warm"
 is_silent
+check "nor after it" test -z "$(on_terminal)"
 check "the driver has a cache" test "$(programs)" -gt 50
 for name in cube cubes row ball prism glass five fives twisted bored behind drilled many; do
     compiles_nothing $name
