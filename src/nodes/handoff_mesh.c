@@ -42,15 +42,17 @@ static enum csg_mesh_file read_triangles(const struct csg_bytes *bytes, struct c
         const bool is_whole = is_whole_record(bytes->data + at, rest);
         if (!is_whole && rest < SHORT_RECORD)
             return CSG_MESH_FILE_MALFORMED;
+        bool is_left_out = false;
         if (is_whole)
-            ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT);
+            ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT, &is_left_out);
+        if (is_left_out)
+            return CSG_MESH_FILE_MALFORMED;
         at += is_whole ? CSG_STL_RECORD : SHORT_RECORD;
         num++;
     }
     if (ok && num != csg_stl_uint32(bytes->data + CSG_STL_HEADER)) /* where the disk was full */
         return CSG_MESH_FILE_MALFORMED;
-    if (!csg_stl_end(mesh))
-        return CSG_MESH_FILE_MALFORMED;
+    csg_stl_end(mesh);
     return ok && csg_mesh_clean(mesh, NULL) ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
 }
 

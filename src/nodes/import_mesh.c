@@ -2,6 +2,7 @@
 /*
  * import() of meshes. What OpenSCAD cannot read is empty there.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,6 +42,14 @@ static void warn_if_empty(const struct source *source)
 
 /* ---- STL and OFF ---------------------------------------------------------------------------- */
 
+static void warn_of_lines(const struct source *source, size_t line, const char *what)
+{
+    char place[32] = "";
+    if (line > 0)
+        snprintf(place, sizeof place, ":%zu", line);
+    csg_walk_warning(source->walk, source->node, "%.160s%s: %s", source->name, place, what);
+}
+
 static bool read_plain(struct source *source,
                        enum csg_mesh_file (*read)(const struct csg_bytes *bytes,
                                                   struct csg_mesh *mesh, size_t *line))
@@ -55,13 +64,11 @@ static bool read_plain(struct source *source,
     if (result == CSG_MESH_FILE_FOREIGN)
         csg_walk_unsupported(source->walk, source->node,
                              "import: %.100s is of a kind that is not supported", source->name);
-    else if (result == CSG_MESH_FILE_MALFORMED && line > 0)
-        csg_walk_warning(source->walk, source->node, "%.160s:%zu: malformed; nothing is drawn",
-                         source->name, line);
-    else if (result == CSG_MESH_FILE_MALFORMED)
-        csg_walk_warning(source->walk, source->node, "%.160s: malformed; nothing is drawn",
-                         source->name);
-    if (result == CSG_MESH_FILE_DONE)
+    if (result == CSG_MESH_FILE_MALFORMED)
+        warn_of_lines(source, line, "malformed; nothing is drawn");
+    if (result == CSG_MESH_FILE_PARTLY)
+        warn_of_lines(source, line, "a corner is not finite; such triangles are left out");
+    if (result == CSG_MESH_FILE_DONE || result == CSG_MESH_FILE_PARTLY)
         warn_if_empty(source);
     else
         csg_mesh_list_finish(&source->list);

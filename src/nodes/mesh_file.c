@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 #include "common/number.h"
 
@@ -78,39 +79,69 @@ struct csg_vec3 csg_stl_point(const char *bytes)
     return csg_vec3((double)p[0], (double)p[1], (double)p[2]);
 }
 
-static bool add_corner(struct csg_mesh *mesh, struct csg_vec3 p)
+static bool is_finite_point(struct csg_vec3 p)
 {
-    const uint32_t index = (uint32_t)mesh->points.num;
-    return csg_mesh_add_point(mesh, p) && csg_array_push(&mesh->corners, index);
+    return isfinite(p.x) && isfinite(p.y) && isfinite(p.z);
 }
 
-bool csg_stl_add(struct csg_mesh *mesh, const char *corners)
+static bool add_triangle(struct csg_mesh *mesh, const struct csg_vec3 corners[3], bool *is_left_out)
 {
+    const uint32_t first = (uint32_t)mesh->points.num;
     bool ok = true;
-    for (size_t i = 0; i < 3 && ok; i++)
-        ok = add_corner(mesh, csg_stl_point(corners + CSG_STL_POINT * i));
+    *is_left_out = false;
+    for (int i = 0; i < 3; i++)
+        *is_left_out |= !is_finite_point(corners[i]);
+    if (*is_left_out)
+        return true;
+    for (uint32_t i = 0; i < 3 && ok; i++)
+        ok = csg_mesh_add_point(mesh, corners[i]) && csg_array_push(&mesh->corners, first + i);
     return ok && csg_mesh_close_face(mesh);
 }
 
-bool csg_stl_end(struct csg_mesh *mesh)
+bool csg_stl_add(struct csg_mesh *mesh, const char *bytes, bool *is_left_out)
 {
-    bool is_finite = true;
-    for (size_t i = 0; i < mesh->points.num; i++) {
-        const struct csg_vec3 p = mesh->points.data[i];
-        is_finite &= isfinite(p.x + p.y + p.z) != 0;
-    }
+    struct csg_vec3 corners[3];
+    for (size_t i = 0; i < 3; i++)
+        corners[i] = csg_stl_point(bytes + CSG_STL_POINT * i);
+    return add_triangle(mesh, corners, is_left_out);
+}
+
+void csg_stl_end(struct csg_mesh *mesh)
+{
     mesh->rounding = mesh->size * float_rounding;
-    return is_finite;
 }
 
 static enum csg_mesh_file read_binary(const struct csg_bytes *bytes, struct csg_mesh *mesh)
 {
-    bool ok = true;
-    for (size_t at = CSG_STL_HEADER + CSG_STL_COUNT; at < bytes->num && ok; at += CSG_STL_RECORD)
-        ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT);
-    if (!csg_stl_end(mesh))
-        return CSG_MESH_FILE_MALFORMED;
-    return ok ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
+    bool ok = true, is_whole = true;
+    for (size_t at = CSG_STL_HEADER + CSG_STL_COUNT; at < bytes->num && ok; at += CSG_STL_RECORD) {
+        bool is_left_out;
+        ok = csg_stl_add(mesh, bytes->data + at + CSG_STL_POINT, &is_left_out);
+        is_whole &= !is_left_out;
+    }
+    csg_stl_end(mesh);
+    if (!ok)
+        return CSG_MESH_FILE_NO_MEMORY;
+    return is_whole ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_PARTLY;
+}
+
+/* What C writes for numbers that are not finite is read as nan. */
+static bool read_any_number(struct csg_words *words, double *value)
+{
+    static const char *const names[] = {"nan", "inf", "infinity"};
+    const char *word;
+    size_t length;
+    if (!csg_words_next(words, &word, &length))
+        return false;
+    if (csg_number_read_signed(word, length, value))
+        return true;
+    const size_t sign = word[0] == '-' || word[0] == '+';
+    *value = NAN;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (length - sign == strlen(names[i]) &&
+            strncasecmp(word + sign, names[i], length - sign) == 0)
+            return true;
+    return false;
 }
 
 /* Of a text only the lines with a vertex matter; each three are a triangle, and a fourth one before
@@ -119,28 +150,36 @@ static enum csg_mesh_file read_text(const struct csg_bytes *bytes, struct csg_me
                                     size_t *line)
 {
     struct csg_words words = words_of(bytes);
+    struct csg_vec3 loop[3];
     int in_loop = 0;
-    bool ok = true;
+    bool ok = true, is_whole = true;
     for (bool more = true; more && ok; more = csg_words_next_line(&words)) {
         const char *word;
         size_t length;
-        struct csg_vec3 p;
         if (!csg_words_next(&words, &word, &length))
             continue;
-        if (is_word(word, length, "outer")) {
-            in_loop = 0;
-            ok = csg_mesh_close_face(mesh); /* of less than three corners: none */
-        }
+        if (is_word(word, length, "outer"))
+            in_loop = 0; /* less than three corners are no triangle */
         if (!is_word(word, length, "vertex"))
             continue;
-        *line = words.line;
-        if (in_loop++ == 3 || !read_point(&words, &p))
+        struct csg_vec3 *p = &loop[in_loop];
+        if (in_loop == 3 || !read_any_number(&words, &p->x) || !read_any_number(&words, &p->y) ||
+            !read_any_number(&words, &p->z)) {
+            *line = words.line;
             return CSG_MESH_FILE_MALFORMED;
-        ok = ok && add_corner(mesh, p) && (in_loop < 3 || csg_mesh_close_face(mesh));
+        }
+        if (!is_finite_point(*p) && *line == 0)
+            *line = words.line;
+        if (++in_loop < 3)
+            continue;
+        bool is_left_out;
+        ok = add_triangle(mesh, loop, &is_left_out);
+        is_whole &= !is_left_out;
     }
-    ok = ok && csg_mesh_close_face(mesh);
     mesh->rounding = mesh->size * text_rounding;
-    return ok ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_NO_MEMORY;
+    if (!ok)
+        return CSG_MESH_FILE_NO_MEMORY;
+    return is_whole ? CSG_MESH_FILE_DONE : CSG_MESH_FILE_PARTLY;
 }
 
 enum csg_mesh_file csg_stl_file_read(const struct csg_bytes *bytes, struct csg_mesh *mesh,

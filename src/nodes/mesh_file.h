@@ -9,6 +9,7 @@
 
 enum csg_mesh_file {
     CSG_MESH_FILE_DONE,
+    CSG_MESH_FILE_PARTLY,    /* without some triangles; line tells which is the first, or is 0 */
     CSG_MESH_FILE_MALFORMED, /* line tells where, or is 0 */
     CSG_MESH_FILE_FOREIGN,   /* a dialect that only OpenSCAD may know */
     CSG_MESH_FILE_NO_MEMORY,
@@ -35,11 +36,11 @@ enum { CSG_STL_HEADER = 80, CSG_STL_COUNT = 4, CSG_STL_RECORD = 50, CSG_STL_POIN
 uint32_t csg_stl_uint32(const char *bytes);
 struct csg_vec3 csg_stl_point(const char *bytes);
 
-/* Adds a triangle. false: out of memory. */
-bool csg_stl_add(struct csg_mesh *mesh, const char *corners);
+/* Adds a triangle, but one with a corner that is not finite. false: out of memory. */
+bool csg_stl_add(struct csg_mesh *mesh, const char *corners, bool *is_left_out);
 
-/* After the last one. false: a number is not finite. */
-bool csg_stl_end(struct csg_mesh *mesh);
+/* After the last one. */
+void csg_stl_end(struct csg_mesh *mesh);
 
 /* As OpenSCAD 2021.01 reads them. The mesh is not clean yet. */
 enum csg_mesh_file csg_stl_file_read(const struct csg_bytes *bytes, struct csg_mesh *mesh,

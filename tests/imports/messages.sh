@@ -77,6 +77,38 @@ says four.stl "warning: $place four.stl:7: malformed; nothing is drawn"
     stl_loop '1 0 0' '0 1 0' '0 0 1'
 } >two.stl
 says two.stl 'bounds             0 0 0 to 1 1 1'
+# A triangle with a corner that is not finite is left out, the others are there.
+tetrahedron()
+{
+    stl_loop '0 0 0' '0 1 0' '1 0 0'
+    stl_loop '0 0 0' '1 0 0' '0 0 1'
+    stl_loop '0 0 0' '0 0 1' '0 1 0'
+    stl_loop '1 0 0' '0 1 0' '0 0 1'
+}
+{
+    echo solid
+    stl_loop '0 0 0' '0 -NaN 0' '1 0 0'
+    tetrahedron
+    stl_loop '0 0 0' '0 inf 0' '1 0 -Infinity'
+} >nan.stl
+says nan.stl "warning: $place nan.stl:5: a corner is not finite; such triangles are left out"
+says nan.stl 'bounds             0 0 0 to 1 1 1'
+says nan.stl 'planes             4'
+{
+    echo solid
+    stl_loop '0 0 0' '0 nano 0' '1 0 0'
+} >nano.stl
+says nano.stl "warning: $place nano.stl:5: malformed; nothing is drawn"
+# One triangle of zeroes and nan, in binary.
+{
+    head -c 80 /dev/zero
+    printf '\001\000\000\000'
+    head -c 24 /dev/zero
+    printf '\000\000\300\177'
+    head -c 22 /dev/zero
+} >binary.stl
+says binary.stl "warning: $place binary.stl: a corner is not finite; such triangles are left out"
+says binary.stl "warning: $place binary.stl: no face in it; nothing is drawn"
 
 printf '0\nSECTION\nx\ny\n0\nEOF\n' >code.dxf
 says code.dxf "warning: $place code.dxf:3: 'x' is no group code; the rest is left out"
