@@ -107,32 +107,29 @@ static bool prepare_general(struct csg_chooser *chooser, enum csg_resolver resol
             prepare_any(chooser, precise, all | CSG_FEATURE_DOUBLE));
 }
 
-/* bytes: as csg_source_shade's. */
-static bool prepare_shade(struct csg_chooser *chooser, bool bytes)
+static bool prepare_shade(struct csg_chooser *chooser, bool want_leaf, bool want_bytes)
 {
-    const struct csg_request *request = chooser->request;
+    const int features = chooser->request->same_inputs ? CSG_FEATURE_SHARED : 0;
     return csg_programs_get(&chooser->renderer->programs,
-                            csg_source_shade(request->image->id != NULL, bytes,
-                                             request->same_inputs ? CSG_FEATURE_SHARED : 0)) != 0;
+                            csg_source_shade(want_leaf, want_bytes, features)) != 0;
 }
 
-static bool wants_bytes_alone(const struct csgcast_image *image)
+/* Whatever channels the frame after an edit is asked for: picking asks for others than previews. */
+static bool prepare_shades(struct csg_chooser *chooser)
 {
-    return image->rgba8 && !image->rgba && !image->z && !image->normal && !image->id;
+    return prepare_shade(chooser, false, false) && prepare_shade(chooser, true, false) &&
+           prepare_shade(chooser, false, true);
 }
 
 /* The same for what an edit makes translucent, or opaque: in a frame that is drawn directly there
  * is nothing translucent. */
 static bool prepare_translucent(struct csg_chooser *chooser)
 {
-    const struct csg_request *request = chooser->request;
-    struct csg_chooser *blended = csg_chooser_create(chooser->renderer, request, false);
+    struct csg_chooser *blended = csg_chooser_create(chooser->renderer, chooser->request, false);
     const bool ok =
         blended &&
         (!chooser->direct || prepare_general(blended, CSG_RESOLVER_LOOP, CSG_RESOLVER_DOUBLE)) &&
-        prepare_general(blended, CSG_RESOLVER_REAR, CSG_RESOLVER_REAR) &&
-        prepare_shade(chooser, false) &&
-        (chooser->direct || !wants_bytes_alone(request->image) || prepare_shade(chooser, true));
+        prepare_general(blended, CSG_RESOLVER_REAR, CSG_RESOLVER_REAR);
     csg_chooser_destroy(blended);
     return ok;
 }
@@ -146,7 +143,7 @@ bool csg_chooser_prepare(struct csg_chooser *chooser)
     for (size_t i = 0; i < plan->num_lefts && ok; i++)
         ok = prepare_left(chooser, plan->lefts[i]);
     return ok && prepare_general(chooser, CSG_RESOLVER_LOOP, CSG_RESOLVER_DOUBLE) &&
-           prepare_translucent(chooser);
+           prepare_translucent(chooser) && prepare_shades(chooser);
 }
 
 /* ---- the frame after an edit ---- */

@@ -57,14 +57,19 @@ static void check_frame(struct bench *bench, const struct csgcast_scene *scene,
     csgcast_scene_destroy(fresh);
 }
 
-static void check_height(struct bench *bench, struct csgcast_scene *scene, double height,
-                         const struct csgcast_camera *camera)
+static void set_height(struct bench *bench, struct csgcast_scene *scene, double height)
 {
     char parameters[64];
     sprintf(parameters, "size = [90, 4, %g], center = true", height);
     CHECK(csgcast_scene_set_parameters(scene, 6, parameters), "%s", bench_last_message);
     print_walls(height, 1, bench->text);
-    check_frame(bench, scene, camera, parameters);
+}
+
+static void check_height(struct bench *bench, struct csgcast_scene *scene, double height,
+                         const struct csgcast_camera *camera)
+{
+    set_height(bench, scene, height);
+    check_frame(bench, scene, camera, "a wall's height");
 }
 
 static void check_views(struct bench *bench)
@@ -101,8 +106,30 @@ static void check_opaque(struct bench *bench, const struct csgcast_camera *camer
     csgcast_scene_destroy(scene);
 }
 
+/* A frame after an edit may be asked for other channels than those before: colours for a preview,
+ * owners for what a pointer picks. */
+static void check_channels(struct bench *bench)
+{
+    static uint8_t bytes[4 * PIXELS];
+    print_walls(60, 1, bench->text);
+    struct csgcast_scene *scene = bench_begin(bench, bench->text);
+    draw_bytes(bench->edited, scene, &front, bytes);
+    const size_t before = count_programs(bench);
+    set_height(bench, scene, 50);
+    bench_compare_text(bench, scene, "all channels after bytes", true);
+    CHECK(count_programs(bench) == before, "other channels compiled");
+    csgcast_scene_destroy(scene);
+
+    print_walls(60, 1, bench->text);
+    scene = bench_begin(bench, bench->text);
+    bench_draw_edited(bench, scene, &front);
+    check_height(bench, scene, 50, &front);
+    csgcast_scene_destroy(scene);
+}
+
 void check_shading(struct bench *bench)
 {
+    check_channels(bench);
     check_views(bench);
     check_opaque(bench, &front);
     check_opaque(bench, &side);
