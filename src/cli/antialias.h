@@ -2,7 +2,7 @@
 #ifndef CSG_CLI_ANTIALIAS_H
 #define CSG_CLI_ANTIALIAS_H
 
-/* csgcast render --antialias=N: a pixel is the mean of N x N rays. */
+/* --antialias=N: a pixel is the mean of N x N rays. */
 
 #include "csgcast/csgcast.h"
 

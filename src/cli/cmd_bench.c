@@ -11,6 +11,7 @@
 #include "measure.h"
 #include "messages.h"
 #include "options.h"
+#include "picture.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -172,6 +173,8 @@ static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
     struct csg_json json = {.file = stdout};
     bool all_good = true;
+    if (!csg_picture_is_possible(options))
+        return CSG_EXIT_USAGE;
     if (options->json)
         csg_json_list_open(&json, NULL);
     else

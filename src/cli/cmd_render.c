@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "options.h"
 #include "output.h"
+#include "picture.h"
 #include "stats.h"
 
 #include "common/file.h"
@@ -19,8 +20,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-#define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
-#define COMPILED_MS 10   /* what the driver finds in its cache takes one or two */
+#define COMPILED_MS 10 /* what the driver finds in its cache takes one or two */
 
 static bool is_png(const char *output, const char *format)
 {
@@ -29,51 +29,11 @@ static bool is_png(const char *output, const char *format)
     return !strcmp(output, "-") || csg_path_ends(output, ".png");
 }
 
-/* ---- the picture in memory ---------------------------------------------------------------- */
-
-static void free_image(struct csgcast_image *image)
-{
-    free(image->rgba);
-    free(image->rgba8);
-    free(image->z);
-    free(image->normal);
-    free(image->id);
-    *image = (struct csgcast_image){0};
-}
-
-/* wanted: false leaves the channel NULL, which is no failure. */
-static bool allocate_channel(float **channel, bool wanted, size_t num)
-{
-    *channel = wanted ? calloc(num, sizeof **channel) : NULL;
-    return *channel || !wanted;
-}
-
-static bool has_aov(const struct csgcast_write_params *write)
-{
-    return write->write_z || write->write_normal || write->write_id;
-}
-
 /* Whether the file is sure to hold 8 bits a channel: these are cheaper to draw than floats. */
 static bool holds_bytes(const char *output, const struct csgcast_write_params *write)
 {
-    return !has_aov(write) &&
+    return !csg_picture_has_aov(write) &&
            (write->bits == 8 || (write->bits == 0 && is_png(output, write->format)));
-}
-
-/* bytes: colours as bytes. */
-static bool allocate_image(struct csgcast_image *image, const struct csgcast_view *view,
-                           const struct csgcast_write_params *write, bool bytes)
-{
-    const size_t num = (size_t)view->width * (size_t)view->height;
-    *image = (struct csgcast_image){.rgba8 = bytes ? calloc(num, 4) : NULL};
-    if ((image->rgba8 || !bytes) && allocate_channel(&image->rgba, !bytes, 4 * num) &&
-        allocate_channel(&image->z, write->write_z, num) &&
-        allocate_channel(&image->normal, write->write_normal, 3 * num) &&
-        allocate_channel(&image->id, write->write_id, num))
-        return true;
-    csg_cli_error("out of memory for an image of %d x %d pixels", view->width, view->height);
-    free_image(image);
-    return false;
 }
 
 /* ---- what the file says about itself ------------------------------------------------------- */
@@ -164,18 +124,18 @@ static enum csg_cli_exit render_scene(const struct drawing *drawing, const char 
     struct csgcast_frustum frustum;
     enum csg_cli_exit result = CSG_EXIT_FAILED;
     view.variant = view.variant ? view.variant : "shared"; /* compiling pays for many pictures */
-    view.width = view.width ? view.width : DEFAULT_SIZE;
-    view.height = view.height ? view.height : DEFAULT_SIZE;
+    view.width = view.width ? view.width : CSG_PICTURE_SIZE;
+    view.height = view.height ? view.height : CSG_PICTURE_SIZE;
     if (!csgcast_view_resolve(drawing->scene, &view, &frustum) ||
         !csg_antialias_view(&view, rays, &fine) ||
-        !allocate_image(&image, &fine, &options->write, holds_bytes(output, &options->write)))
+        !csg_picture_allocate(&image, &fine, &options->write, holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
     if (render_image(drawing, &fine, &image)) {
         csg_antialias_reduce(&image, view.width, view.height, rays);
         result =
             write_image(output, options, &view, &image, &frustum) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
     }
-    free_image(&image);
+    csg_picture_free(&image);
     return result;
 }
 
@@ -295,21 +255,12 @@ static enum csg_cli_exit run_to(const struct csg_cli_options *options, const cha
                                      : render_still(options, output, batch);
 }
 
-static bool can_antialias(const struct csg_cli_options *options)
-{
-    if (!has_aov(&options->write) || options->antialias <= 1)
-        return true;
-    csg_cli_error("--antialias is for colours: the mean of several rays' Z, N or id is that of no "
-                  "surface; write them to a file of their own, without it");
-    return false;
-}
-
 /* The first failure is what is told; the others are drawn all the same. */
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
     struct batch batch = {.renderer = NULL};
     enum csg_cli_exit first = CSG_EXIT_OK;
-    if (!csg_cli_check_outputs(options, "png") || !can_antialias(options))
+    if (!csg_cli_check_outputs(options, "png") || !csg_picture_is_possible(options))
         return CSG_EXIT_USAGE;
     csg_heap_begin();
     for (size_t i = 0; i < options->num_inputs; i++) {

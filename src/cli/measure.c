@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "measure.h"
 
+#include "antialias.h"
 #include "edited.h"
 #include "messages.h"
+#include "picture.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -14,7 +16,6 @@
 #include "common/clock.h"
 #include "common/order.h"
 
-#define DEFAULT_SIZE 512 /* pixels, as csgcast_view's 0 */
 #define DEGREE (3.14159265358979323846 / 180)
 
 static struct csg_spread spread_of(double *values, size_t num)
@@ -53,7 +54,8 @@ struct run {
     const char *input;
     struct csgcast_scene *scene;
     struct csgcast_renderer *renderer;
-    struct csgcast_view view;
+    struct csgcast_view view; /* of all rays */
+    int rays;                 /* a pixel along each axis */
     struct csgcast_image image;
     struct csg_edited edited;
     struct csg_frame_times *times; /* num_frames */
@@ -68,6 +70,8 @@ static bool is_verbose(const struct run *run)
 static bool draw(struct run *run)
 {
     const bool good = csgcast_render(run->renderer, run->scene, &run->view, &run->image);
+    if (good)
+        csg_antialias_reduce(&run->image, run->result->width, run->result->height, run->rays);
     csgcast_renderer_get_stats(run->renderer, &run->result->stats);
     run->result->compile_ms += run->result->stats.compile_ms;
     return good;
@@ -157,17 +161,22 @@ static bool draw_frames(struct run *run)
     return good && find_spreads(run);
 }
 
+/* Colours as the bytes of a PNG, unless a file of other bits or channels is meant. */
+static bool allocate(struct run *run)
+{
+    const struct csgcast_write_params *write = &run->options->write;
+    const bool bytes = !csg_picture_has_aov(write) && write->bits <= 8;
+    run->times = calloc((size_t)run->result->num_frames, sizeof *run->times);
+    if (!run->times)
+        return csg_cli_error("out of memory"), false;
+    return csg_picture_allocate(&run->image, &run->view, write, bytes);
+}
+
 static bool measure(struct run *run)
 {
-    const size_t pixels = (size_t)run->view.width * (size_t)run->view.height;
-    run->image.rgba8 = malloc(4 * pixels);
-    run->times = calloc((size_t)run->result->num_frames, sizeof *run->times);
-    if (!run->image.rgba8 || !run->times) {
-        csg_cli_error("out of memory for an image of %d x %d pixels", run->view.width,
-                      run->view.height);
-        return false;
-    }
-    if (!draw_first(run) || !draw_frames(run))
+    const struct csgcast_view view = run->view;
+    if (!csg_antialias_view(&view, run->rays, &run->view) || !allocate(run) || !draw_first(run) ||
+        !draw_frames(run))
         return false;
     run->result->num_leaves = csgcast_scene_num_leaves(run->scene);
     snprintf(run->result->renderer, sizeof run->result->renderer, "%s",
@@ -178,16 +187,20 @@ static bool measure(struct run *run)
 bool csg_measure(const struct csg_cli_options *options, const char *input,
                  struct csg_measurement *result)
 {
-    struct run run = {.options = options, .input = input, .view = options->view, .result = result};
-    run.view.width = run.view.width ? run.view.width : DEFAULT_SIZE;
-    run.view.height = run.view.height ? run.view.height : DEFAULT_SIZE;
+    struct run run = {.options = options,
+                      .input = input,
+                      .view = options->view,
+                      .rays = options->antialias ? options->antialias : 1,
+                      .result = result};
+    run.view.width = run.view.width ? run.view.width : CSG_PICTURE_SIZE;
+    run.view.height = run.view.height ? run.view.height : CSG_PICTURE_SIZE;
     *result = (struct csg_measurement){
         .width = run.view.width, .height = run.view.height, .num_frames = options->num_frames};
     const bool good = measure(&run);
     csg_edited_finish(&run.edited);
     csgcast_renderer_destroy(run.renderer);
     csgcast_scene_destroy(run.scene);
-    free(run.image.rgba8);
+    csg_picture_free(&run.image);
     free(run.times);
     return good;
 }

@@ -186,14 +186,15 @@ const struct csg_option csg_option_table[] = {
     {"format", 0, REQUIRED, RENDER, "NAME", "png, exr, tif, ... instead of the extension",
      set_format},
     {"export-format", 0, REQUIRED, RENDER, "NAME", NULL, set_format},
-    {"bits", 0, REQUIRED, RENDER, "8|16", "per channel of PNG and TIFF; default 8", set_bits},
-    {"aov", 0, REQUIRED, RENDER, "LIST",
+    {"bits", 0, REQUIRED, RENDER | BENCH, "8|16", "per channel of PNG and TIFF; default 8",
+     set_bits},
+    {"aov", 0, REQUIRED, RENDER | BENCH, "LIST",
      "what an EXR carries besides colour: Z (distance along the view\n"
      "axis), N (world normal), id (visible leaf), e.g. --aov=Z,N,id",
      set_aov},
     {"imgsize", 0, REQUIRED, VIEW | REPORT, "W,H", "size in pixels; default 512,512",
      csg_set_imgsize},
-    {"antialias", 0, REQUIRED, RENDER, "N",
+    {"antialias", 0, REQUIRED, RENDER | BENCH, "N",
      "a pixel is the mean of N by N rays, 1 to 8; default 1, as OpenSCAD", csg_set_antialias},
     {"camera", 0, REQUIRED, VIEW, "NUMBERS",
      "tx,ty,tz,rx,ry,rz,distance or ex,ey,ez,cx,cy,cz as in OpenSCAD\n"

@@ -104,6 +104,14 @@ check "an object a file, and stages that are parts of their frame" node -e '
         part.edit_ms >= csg && csg > 0 && stages.draw > 0 &&
         part.edit_ms + sum(stages) < 1.01 * part.frame_ms.max &&
         sum(part.first_stages_ms) < part.first_image_ms ? 0 : 1);'
+expect 0 "bench of more rays" bench part.csg --imgsize=32,24 --frames=2 --antialias=4 --json
+check "pixels are those asked for" grep -q '"width": 32' out
+prints '"height": 24'
+expect 1 "bench of too many rays" bench part.csg --imgsize=9000,2 --antialias=2
+says "the largest --imgsize with it is 8192"
+expect 0 "bench of channels" bench part.csg "${small[@]}" --aov=Z,N,id --bits=16
+expect 2 "bench of channels and more rays" bench part.csg "${small[@]}" --aov=Z --antialias=2
+says "--antialias is for colours"
 expect 0 "bench of parameters" bench part.csg "${small[@]}" --edit=0 --edit-what=parameters
 expect 0 "bench of colours" bench part.csg "${small[@]}" --edit-what=color
 expect 2 "bench of nothing that changes" bench part.csg "${small[@]}" --edit-what=size
