@@ -11,6 +11,7 @@
 #include "options.h"
 #include "scene_options.h"
 
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -156,8 +157,18 @@ static void share_heap(void)
 #endif
 }
 
+/* A closed one among standard input, output and error would be the next file that is opened, and
+ * take what is meant for it. What is opened here in its place fails as it would. */
+static void hold_closed_streams(void)
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
+        if (fcntl(file, F_GETFD) < 0)
+            open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int main(int argc, char **argv)
 {
+    hold_closed_streams();
     if (argc < 2) {
         csg_cli_error("which command? see `csgcast help`");
         return CSG_EXIT_USAGE;

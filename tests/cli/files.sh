@@ -182,6 +182,21 @@ if [[ -w /dev/full ]]; then
     report $(($? != 3)) "standard output is full, info"
 fi
 
+# Streams that are closed are no files of something else.
+timeout 60 "$csgcast" render part.csg "${small[@]}" -o - >&- 2>err
+report $(($? != 3)) "standard output is closed"
+says "Bad file descriptor"
+timeout 60 "$csgcast" export part.csg -o - >&- 2>err
+report $(($? != 3)) "standard output is closed, export"
+timeout 60 "$csgcast" info part.csg --no-gl >&- 2>err
+report $(($? != 3)) "standard output is closed, info"
+timeout 60 "$csgcast" render - -o x.png <&- 2>err
+report $(($? != 1)) "standard input is closed"
+timeout 60 "$csgcast" render part.csg "${small[@]}" -o x.png >&- 2>&-
+report $? "a file does without them"
+check "x.png is a PNG" is_png x.png
+rm x.png
+
 # An empty scene is a picture of the background.
 expect 0 "empty scene" render - -o empty.png "${small[@]}" </dev/null
 says "nothing to draw"
