@@ -29,7 +29,7 @@ struct search {
     struct csg_directions *directions; /* by task; the first one's are all of them in the end */
     atomic_uint *words; /* of a place: whether a key has come there, and whether a second one has */
     uint64_t mask;      /* of places; their number is a power of two */
-    bool is_dense;      /* planes are not looked at */
+    bool is_dense;      /* planes of one normal are not looked at */
 };
 
 /* Planes of one leaf. */
@@ -187,10 +187,9 @@ static void find_plane_keys(const struct search *search, const struct csg_plane 
     const struct csg_carrier_space *space = &search->builder->index.space;
     uint64_t around[8];
     keys->num_own = keys->num_beside = 0;
-    if (search->is_dense)
-        return;
     if (!csg_directions_are_shared(search->directions, plane->normal)) {
-        take_keys(keys, around, csg_parallel_keys(space, plane, around));
+        if (!search->is_dense)
+            take_keys(keys, around, csg_parallel_keys(space, plane, around));
         return;
     }
     for (int i = 0; i < space->num_widths; i++) {
