@@ -11,8 +11,8 @@
 #include "nodes/rounded.h"
 #include "nodes/sets.h"
 
-/* Sums of more corners are refused. */
-enum { max_sums = 4000000 };
+/* Sums of more corners are refused: each takes some 110 bytes while Qhull is at work. */
+enum { max_sums = 10000000 };
 
 /* ---- convex sets -------------------------------------------------------------------------- */
 

@@ -76,6 +76,10 @@ hull() {
 END
 expect 0 "a hull is not handed over" info beside.csg --no-gl --no-handoff
 
+# 5,000 and 968 corners.
+echo 'minkowski() { sphere(r = 10, $fn = 100); sphere(r = 3, $fn = 44); }' >sum.csg
+expect 0 "a large sum is not handed over" info sum.csg --no-gl --no-handoff --facets=as-written
+
 OPENSCAD=/nowhere/openscad expect 1 "no openscad" info a.csg --no-gl
 says "a.csg:4:3: import_dxf: only openscad can evaluate it, and '/nowhere/openscad' does not run"
 OPENSCAD=/nowhere/openscad expect 0 "no openscad, but the rest" info a.csg --no-gl --skip-unsupported
