@@ -139,8 +139,8 @@ struct csg_box csg_box_map(const struct csg_map *map, const struct csg_box *box)
         const double ax = product(r[0], box->lo.x), bx = product(r[0], box->hi.x);
         const double ay = product(r[1], box->lo.y), by = product(r[1], box->hi.y);
         const double az = product(r[2], box->lo.z), bz = product(r[2], box->hi.z);
-        lo[i] = fmin(ax, bx) + fmin(ay, by) + fmin(az, bz) + r[3];
-        hi[i] = fmax(ax, bx) + fmax(ay, by) + fmax(az, bz) + r[3];
+        lo[i] = csg_least(ax, bx) + csg_least(ay, by) + csg_least(az, bz) + r[3];
+        hi[i] = csg_most(ax, bx) + csg_most(ay, by) + csg_most(az, bz) + r[3];
     }
     return (struct csg_box){{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
 }

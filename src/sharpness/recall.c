@@ -80,6 +80,14 @@ bool csg_recall_compare(struct csg_recall *recall, const struct csg_flats *flats
     return true;
 }
 
+size_t csg_recall_count_stale(const struct csg_recall *recall)
+{
+    size_t num = 0;
+    for (size_t i = 0; i < recall->blocks.num; i++)
+        num += recall->blocks.data[i].stale;
+    return num;
+}
+
 void csg_recall_renew(struct csg_recall *recall, const struct csg_flats *flats,
                       const struct csgcast_scene *scene, size_t begin, size_t end)
 {

@@ -42,6 +42,8 @@ bool csg_recall_add_leaf(struct csg_recall *recall, const struct csgcast_scene *
 bool csg_recall_compare(struct csg_recall *recall, const struct csg_flats *flats,
                         const uint8_t *marks, const struct csg_ball *ball);
 
+size_t csg_recall_count_stale(const struct csg_recall *recall);
+
 /* Finds anew what the stale ones have of the blocks from begin to end. */
 void csg_recall_renew(struct csg_recall *recall, const struct csg_flats *flats,
                       const struct csgcast_scene *scene, size_t begin, size_t end);

@@ -51,10 +51,12 @@ static void box_edges(const struct csg_shape *shape, struct csg_vec3 edges[3])
 static double thickness(const struct csg_vec3 edges[3])
 {
     const double volume = fabs(csg_dot(edges[0], csg_cross(edges[1], edges[2])));
-    double least = INFINITY;
-    for (int i = 0; i < 3; i++)
-        least = fmin(least, volume / csg_length(csg_cross(edges[(i + 1) % 3], edges[(i + 2) % 3])));
-    return least;
+    double square = 0; /* of the largest side's area */
+    for (int i = 0; i < 3; i++) {
+        const struct csg_vec3 across = csg_cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
+        square = csg_most(square, csg_dot(across, across));
+    }
+    return volume / sqrt(square);
 }
 
 /* Size of the coordinates, as far as they are finite. */
@@ -63,7 +65,7 @@ static double largest(const struct csg_box *box)
     const double all[6] = {box->lo.x, box->lo.y, box->lo.z, box->hi.x, box->hi.y, box->hi.z};
     double size = 0;
     for (int i = 0; i < 6; i++)
-        size = isfinite(all[i]) ? fmax(size, fabs(all[i])) : size;
+        size = isfinite(all[i]) ? csg_most(size, fabs(all[i])) : size;
     return size;
 }
 
@@ -159,8 +161,8 @@ static struct csg_ball ball_of(const struct csg_object *object, const struct csg
     return (struct csg_ball){csg_box_middle(box), 0.5 * csg_length(csg_sub(box->hi, box->lo))};
 }
 
-/* An object is looked at in so many runs, side by side. Smaller ones are through before a thread
- * has started. */
+/* An object is looked at in so many runs, side by side. Smaller ones, and what an edit leaves to be
+ * looked at, are through before a thread has started. */
 enum { NUM_RUNS = 8, MIN_NODES = 1024 };
 
 /* Between them count planes; of two values that are equal the first is named. */
@@ -209,9 +211,10 @@ static void note_found(struct csg_sharpness *sharp, const struct csg_sharpness *
 
 static void note_runs(struct csg_sharpness *sharp, struct noting *noting)
 {
-    const bool is_large = noting->object->end - noting->object->begin >= MIN_NODES;
-    csg_parallel(is_large ? noting->scene->num_threads : 1, NUM_RUNS, note_run, noting);
     const struct csg_recall *planes = &noting->surveyor->recall;
+    const bool is_large = noting->object->end - noting->object->begin >= MIN_NODES &&
+                          2 * csg_recall_count_stale(planes) >= planes->blocks.num;
+    csg_parallel(is_large ? noting->scene->num_threads : 1, NUM_RUNS, note_run, noting);
     for (size_t run = 0; run < NUM_RUNS; run++)
         note_found(sharp, &noting->found[OF_LEAVES][run]);
     for (size_t block = 0; block < planes->blocks.num; block++)
