@@ -15,7 +15,7 @@
 #define MARGIN 1e-4
 
 /* Parts that are built side by side. */
-#define NUM_PARTS 64
+#define NUM_PARTS 128
 
 /* Branches for each leaf: boxes along the axes are told apart by fewer cuts. What costs rays most
  * is cut first. */

@@ -112,18 +112,13 @@ static void find_places(const struct csg_splitter *splitter, const struct csg_bo
         add_place(places, 0.5 * (lo + hi));
 }
 
-/* How many places are below key. */
+/* How many places are below key. Which way each step goes is not foreseen, so none branches. */
 static size_t places_below(const struct places *places, double key)
 {
-    size_t lo = 0, hi = places->num;
-    while (lo < hi) {
-        const size_t mid = (lo + hi) / 2;
-        if (places->at[mid] < key)
-            lo = mid + 1;
-        else
-            hi = mid;
-    }
-    return lo;
+    size_t begin = 0, num = places->num;
+    for (; num > 1; num -= num / 2)
+        begin += num / 2 * (places->at[begin + num / 2 - 1] < key);
+    return begin + (num == 1 && places->at[begin] < key);
 }
 
 static void count_leaves(const struct csg_splitter *splitter, size_t step, int axis,
