@@ -27,6 +27,7 @@ static int compare_planes(const double *a, const double *b, const struct csg_til
 struct pair {
     const struct csg_terms *terms;
     const struct csg_tile_box *tile;
+    struct csg_rect rect; /* of the tile, in pixels */
     const struct csg_leaf_terms *outer, *inner;
     bool touches;
 };
@@ -60,6 +61,19 @@ static bool same_quadric(const struct pair *pair)
                   4 * CSG_QUADRIC_TEXELS * sizeof(double)) == 0;
 }
 
+/* Whether what may be seen of inner in the tile lies within what may be of outer: their rectangles
+ * tell soonest of most pairs that neither is part of the other. */
+static bool has_room(const struct pair *pair)
+{
+    const struct csg_rect *outer = &pair->outer->rect, *inner = &pair->inner->rect;
+    const struct csg_rect *tile = &pair->rect;
+    bool has_room = true;
+    for (int i = 0; i < 2; i++)
+        has_room &= (inner->lo[i] >= outer->lo[i] || outer->lo[i] <= tile->lo[i]) &
+                    (inner->hi[i] <= outer->hi[i] || outer->hi[i] >= tile->hi[i]);
+    return has_room;
+}
+
 /* Whether inner is part of outer everywhere in the tile. Where faces coincide, touches is set. */
 static bool is_inside(struct pair *pair)
 {
@@ -67,8 +81,9 @@ static bool is_inside(struct pair *pair)
     const size_t outer_end = outer->num_entries + outer->num_exits;
     const size_t inner_end = inner->num_entries + inner->num_exits;
     pair->touches = outer->flags & CSG_RECORD_QUADRIC;
-    if ((outer->flags | inner->flags) & CSG_RECORD_SURFACE || outer->flags & CSG_RECORD_GAP ||
-        outer_end * inner_end > MAX_PLANE_PAIRS || !same_quadric(pair))
+    if (!has_room(pair) || (outer->flags | inner->flags) & CSG_RECORD_SURFACE ||
+        outer->flags & CSG_RECORD_GAP || outer_end * inner_end > MAX_PLANE_PAIRS ||
+        !same_quadric(pair))
         return false;
     for (size_t i = 0; i < outer->num_entries; i++)
         if (!has_plane(pair, i, 0, inner->num_entries, false))
@@ -109,10 +124,21 @@ static void add_dominator(struct dominators *found, uint32_t leaf, double key)
     found->keys[i] = key;
 }
 
+static struct csg_rect rect_of(const struct csg_terms *terms, const struct csg_tile_box *tile)
+{
+    const double at[2] = {terms->frame->at.x, terms->frame->at.y};
+    struct csg_rect rect;
+    for (int i = 0; i < 2; i++) {
+        rect.lo[i] = at[i] + tile->center[i] - tile->half[i];
+        rect.hi[i] = at[i] + tile->center[i] + tile->half[i];
+    }
+    return rect;
+}
+
 static bool dominate_by(const struct csg_terms *terms, const struct csg_tile_box *tile,
                         const struct group *group, uint32_t own)
 {
-    struct pair pair = {.terms = terms, .tile = tile};
+    struct pair pair = {.terms = terms, .tile = tile, .rect = rect_of(terms, tile)};
     bool any = false;
     for (size_t i = 0; i < group->num; i++) {
         const uint32_t leaf = group->leaves[i];

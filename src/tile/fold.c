@@ -241,12 +241,13 @@ static void take_part(struct csg_tiler *tiler, struct csg_tree *tree)
     uint32_t num = 1;
     for (uint32_t i = 1; i < tree->num; i++) {
         const struct csg_node node = tree->data[i];
-        const bool varies = ranges[i].entry.lo[at] <= ranges[i].exit.hi[at];
+        if (!(ranges[i].entry.lo[at] <= ranges[i].exit.hi[at]))
+            continue;
         csg_tiler_note_leaf(tiler, node.leaf, i);
         tiler->terms->known[node.leaf] = CSG_VARIES;
         tree->data[num] = node;
         tree->data[num].end = num + 1;
-        num += varies;
+        num++;
     }
     end_flat(tree, num);
     tiler->opaque = tiler->parts.flat.opaque[at] != 0;

@@ -100,25 +100,33 @@ static bool add_step(struct csg_scan *scan, uint32_t flags, double bound)
     return true;
 }
 
-/* One operand of the outermost intersection, behind what is there. */
-static bool add_operand(struct csg_scan *scan, const struct csgcast_scene *scene,
-                        const struct csg_tree *tree, uint32_t node)
+/* The flags of a leaf's step, as csg_node_flags: what this asks of the scene the terms know. */
+static uint32_t leaf_flags(const struct csg_terms *terms, const struct csg_node *node)
 {
+    const uint32_t flags = csg_terms_of(terms, node->leaf)->flags & ~(uint32_t)CSG_RECORD_NEGATED;
+    return flags | (node->negated ? CSG_RECORD_NEGATED : 0);
+}
+
+/* One operand of the outermost intersection, or a tree that is one leaf, behind what is there. */
+static bool add_operand(struct csg_scan *scan, const struct csg_terms *terms,
+                        const struct csg_tree *tree, uint32_t i)
+{
+    const struct csg_node *node = &tree->data[i];
     const size_t first = scan->program.num;
-    if (!csg_program_append(&scan->room, &scan->program, scene, tree, node))
+    if (node->op == CSG_LEAF) {
+        const uint32_t place = first == 0 ? CSG_RECORD_START : CSG_RECORD_AND;
+        const struct csg_step step = {node->leaf, place | leaf_flags(terms, node)};
+        return csg_array_push(&scan->program, step);
+    }
+    if (!csg_program_append(&scan->room, &scan->program, terms->scene, tree, i))
         return false;
     if (first == 0)
         return true;
-    struct csg_step *step = &scan->program.data[first];
-    if (tree->data[node].op == CSG_LEAF) {
-        step->flags = (step->flags & ~(uint32_t)CSG_RECORD_START) | CSG_RECORD_AND;
-        return true;
-    }
-    step->flags |= CSG_RECORD_PUSH;
+    scan->program.data[first].flags |= CSG_RECORD_PUSH;
     return add_step(scan, CSG_RECORD_POP | CSG_RECORD_AND, 0);
 }
 
-static bool add_operands(struct csg_scan *scan, const struct csgcast_scene *scene,
+static bool add_operands(struct csg_scan *scan, const struct csg_terms *terms,
                          const struct csg_tree *tree, bool bounded)
 {
     double bound = -INFINITY;
@@ -131,7 +139,7 @@ static bool add_operands(struct csg_scan *scan, const struct csgcast_scene *scen
             if (!add_step(scan, CSG_RECORD_BOUND, bound))
                 return false;
         }
-        if (!add_operand(scan, scene, tree, operand->node))
+        if (!add_operand(scan, terms, tree, operand->node))
             return false;
     }
     return true;
@@ -142,15 +150,16 @@ bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
 {
     bool only_leaves;
     scan->program.num = scan->bounds.num = 0;
+    if (tree->data[0].op == CSG_LEAF)
+        return add_operand(scan, terms, tree, 0);
     if (!bounded || tree->data[0].op != CSG_AND)
         return csg_program_append(&scan->room, &scan->program, terms->scene, tree, 0);
     if (!list_operands(scan, tree, &only_leaves))
         return false;
     if (scan->operands.num >= MIN_OPERANDS)
-        return sort_by_start(scan, terms, tree, ranges) &&
-               add_operands(scan, terms->scene, tree, true);
+        return sort_by_start(scan, terms, tree, ranges) && add_operands(scan, terms, tree, true);
     if (!only_leaves)
         return csg_program_append(&scan->room, &scan->program, terms->scene, tree, 0);
     sort_few(scan);
-    return add_operands(scan, terms->scene, tree, false);
+    return add_operands(scan, terms, tree, false);
 }

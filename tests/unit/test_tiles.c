@@ -303,6 +303,30 @@ static void check_apart(void)
     check_text(&example, text);
 }
 
+/* Boxes taken from a cube, each of them inside of the one before: of those only that one matters,
+ * wherever two are on the screen. */
+static void check_inside(void)
+{
+    enum { NUM = 40, SIZE = 256 };
+    char text[128 * NUM] = "difference() { cube(size = [100, 100, 100], center = true);";
+    for (int i = 0; i < NUM; i++)
+        sprintf(text + strlen(text),
+                "multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 50], [0, 0, 0, 1]])"
+                "cube(size = [%g, %g, %g], center = true);",
+                90 - 2.0 * i, 90 - 2.0 * i, 90 - 2.0 * i);
+    strcat(text, "}");
+    struct csgcast_scene *scene = csgcast_scene_parse(text, strlen(text), NULL);
+    struct picture picture = {NULL, NULL};
+    struct csgcast_stats stats;
+    const bool ok = scene && draw(CSGCAST_BACKEND_AUTO, scene, SIZE, &picture, &stats);
+    CHECK(ok, "no picture");
+    if (ok)
+        CHECK(stats.solid_tests < 3 * stats.proxy_pixels, "%zu tests at %zu pixels",
+              stats.solid_tests, stats.proxy_pixels);
+    csgcast_scene_destroy(scene);
+    drop(&picture);
+}
+
 /* The corners of the cube are no tiles of a program of their own; neither is what draws few pixels.
  */
 static void check_few_programs(void)
@@ -365,6 +389,7 @@ int main(void)
     check_stiff();
     check_clauses();
     check_apart();
+    check_inside();
     check_few_programs();
     check_post(&examples[1]);
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++)
