@@ -15,6 +15,8 @@ const struct csg_chain csg_chains[CSG_NUM_CHAINS] = {
     {2, 2, 2, .quadrics = true, .colors = true, .normals = true},
     {3, 3, 1, .quadrics = true, .flat = true, .colors = true, .normals = true},
     {3, 3, 2, .quadrics = true, .colors = true},
+    {4, 4, 2, .quadrics = true, .flat = true, .colors = true},
+    {5, 5, 1, .quadrics = true, .flat = true, .colors = true},
     {5, 4, 2, .quadrics = true},
     {5, 5, 2, .colors = true, .clauses = true},
     {3, 3, 2, .quadrics = true, .colors = true, .clauses = true},

@@ -66,7 +66,7 @@ struct csg_chain {
                            * shaders/csg/clauses.glsl */
 };
 
-#define CSG_NUM_CHAINS 12
+#define CSG_NUM_CHAINS 14
 extern const struct csg_chain csg_chains[CSG_NUM_CHAINS];
 
 /* Chain i as programs have it: those that write no colours ask for none. */

@@ -251,6 +251,29 @@ static const char five[] =
     "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])"
     "cylinder(h = 30, r1 = 6, r2 = 6, center = true); }";
 
+/* Holes of which a tile sees several, or that are several solids: programs for four and five in a
+ * row, which have the colours at hand. */
+static void check_rows(void)
+{
+    static const char *const holes[] = {
+        "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]])"
+        "cylinder(h = 6, r1 = 1.9, r2 = 1.9);",
+        "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) group() {"
+        "multmatrix([[1, 0, 0, -0.8], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "color([1, 0, 0]) cylinder(h = 6, r1 = 0.9, r2 = 0.9);"
+        "multmatrix([[1, 0, 0, 0.8], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "color([0, 1, 0]) cylinder(h = 6, r1 = 0.9, r2 = 0.9);"
+        "multmatrix([[1, 0, 0, -0.8], [0, 1, 0, -0.9], [0, 0, 1, 0], [0, 0, 0, 1]])"
+        "cube([1.6, 1.8, 6]); }"};
+    for (size_t i = 0; i < sizeof holes / sizeof *holes; i++) {
+        char *text = plate(holes[i]);
+        CHECK(text, "out of memory");
+        if (text)
+            check_variant(text, 512, "auto", "chain ", i == 0);
+        free(text);
+    }
+}
+
 /* A part of few solids is worth tiles where it covers many pixels. */
 static void check_few_solids(void)
 {
@@ -385,6 +408,7 @@ static void check_post(const struct example *example)
 int main(void)
 {
     check_kept(&examples[0]);
+    check_rows();
     check_few_solids();
     check_stiff();
     check_clauses();
