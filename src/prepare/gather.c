@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "prepare/gather.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "csg/wholes.h"
 #include "sharpness/wall.h"
+
+/* Rings so many times as wide as what is turned is across: more is spared of the picture that each
+ * of them goes round than a pixel of all of them costs more (measured). */
+#define RING_WIDTHS 8
 
 /* A ring that is drawn in double costs as much as so many bands, about (measured). */
 #define RINGS_FOR_DOUBLE 32
@@ -40,14 +45,49 @@ static bool is_of_node(const struct gatherer *gatherer, const struct csg_tree *t
     return true;
 }
 
-/* Whether float would not hold many of the operands [begin, end), rings of a turned profile, each
- * by itself: in double it costs as much as many of the bands that all of them are together. */
-static bool are_fine_rings(const struct gatherer *gatherer, const struct csg_tree *tree,
-                           uint32_t begin, uint32_t end)
+/* Operands that are rings of one turned profile. */
+struct rings {
+    uint32_t num, num_fine;           /* leaves; those that float does not hold by themselves */
+    uint32_t num_outer, num_inner;    /* frusta, and those that are taken from them */
+    double lo, hi, largest, smallest; /* what is turned, along the axis and across it */
+};
+
+static void add_ring_leaf(struct rings *rings, const struct csg_leaf *leaf, bool is_inner,
+                          double size)
+{
+    const struct csg_shape *shape = &leaf->shape;
+    const double *radii = shape->radii;
+    rings->num++;
+    rings->num_fine += csg_wall_is_fine(leaf, size);
+    rings->num_outer += !is_inner;
+    rings->num_inner += is_inner;
+    rings->lo = fmin(rings->lo, shape->bounds.lo.z);
+    rings->hi = fmax(rings->hi, shape->bounds.hi.z);
+    rings->largest = fmax(rings->largest, fmax(radii[0], radii[1]));
+    if (is_inner)
+        rings->smallest = fmin(rings->smallest, fmin(radii[0], radii[1]));
+}
+
+/* Whether the rings are far around the axis: each by itself is drawn in a rectangle that is empty
+ * but for its border. */
+static bool are_wide(const struct rings *rings)
+{
+    const double across = rings->largest - rings->smallest + rings->hi - rings->lo;
+    return rings->num_outer >= CSG_STACK_MIN_RINGS && rings->num_inner == rings->num_outer &&
+           rings->largest > RING_WIDTHS * across;
+}
+
+/*
+ * Whether the operands [begin, end), if they are rings of a turned profile, are one object. Those
+ * that float would not hold each by itself cost as much in double as many of the bands that all of
+ * them are together.
+ */
+static bool are_joined_rings(const struct gatherer *gatherer, const struct csg_tree *tree,
+                             uint32_t begin, uint32_t end)
 {
     const struct csg_leaf *leaves = gatherer->scene->leaves;
+    struct rings rings = {.lo = INFINITY, .hi = -INFINITY, .smallest = INFINITY};
     struct csg_box box = csg_box_empty;
-    uint32_t num = 0, num_fine = 0;
     for (uint32_t i = begin; i < end; i++)
         if (tree->data[i].op == CSG_LEAF && !tree->data[i].negated)
             box = csg_box_union(&box, &leaves[tree->data[i].leaf].box);
@@ -58,10 +98,10 @@ static bool are_fine_rings(const struct gatherer *gatherer, const struct csg_tre
         const struct csg_leaf *leaf = &leaves[tree->data[i].leaf];
         if (!csg_stack_may_have(&leaf->shape))
             return false;
-        num++;
-        num_fine += csg_wall_is_fine(leaf, size);
+        add_ring_leaf(&rings, leaf, tree->data[i].negated, size);
     }
-    return num >= CSG_STACK_MIN_RINGS && num_fine > num / RINGS_FOR_DOUBLE;
+    return rings.num >= CSG_STACK_MIN_RINGS &&
+           (rings.num_fine > rings.num / RINGS_FOR_DOUBLE || are_wide(&rings));
 }
 
 /* The operands from i on that are one node's. */
@@ -86,7 +126,7 @@ static uint32_t end_of_run(const struct gatherer *gatherer, const struct csg_tre
     const bool is_ring = csg_stack_may_have(&gatherer->scene->leaves[leaf].shape);
     const uint32_t end =
         see_through || is_ring ? end_of_node(gatherer, tree, i) : tree->data[i].end;
-    *alone = end == tree->data[i].end || !(see_through || are_fine_rings(gatherer, tree, i, end));
+    *alone = end == tree->data[i].end || !(see_through || are_joined_rings(gatherer, tree, i, end));
     return end;
 }
 

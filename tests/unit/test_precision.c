@@ -175,6 +175,28 @@ static void check_rings(struct csgcast_renderer *renderer)
     csgcast_scene_destroy(scene);
 }
 
+/* They are, too, where they lie far around the axis and what is turned is small. */
+static void check_wide_rings(void)
+{
+    static const struct {
+        const char *text;
+        size_t num;
+    } cases[] = {
+        {"rotate_extrude($fn = 60) translate([50, 0]) circle(1, $fn = 24);", 1},
+        {"rotate_extrude($fn = 60) translate([50, 0]) circle(10, $fn = 24);", 12},
+        {"rotate_extrude($fn = 60) translate([50, 0]) scale([1, 30]) circle(1, $fn = 24);", 12},
+        {"rotate_extrude($fn = 60) translate([50, 0]) circle(1, $fn = 8);", 4},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct csgcast_scene_info info = {0};
+        struct csgcast_scene *scene = parse(cases[i].text);
+        CHECK(scene, "%s", cases[i].text);
+        csgcast_scene_get_info(scene, &info);
+        CHECK(info.num_objects == cases[i].num, "%s: %zu", cases[i].text, info.num_objects);
+        csgcast_scene_destroy(scene);
+    }
+}
+
 /* Without double in the driver the CPU casts those pixels, and the picture is the same. */
 static void check_cpu(struct csgcast_renderer *with, struct csgcast_renderer *without)
 {
@@ -251,6 +273,7 @@ int main(void)
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
         check_choice(gl, &choices[i]);
     check_rings(gl);
+    check_wide_rings();
     check_cpu(gl, single);
     for (size_t i = 0; i < sizeof on_surfaces / sizeof *on_surfaces; i++) {
         check_on_surface(gl, &on_surfaces[i]);
