@@ -155,9 +155,9 @@ void csg_flats_note(const struct csg_flats *flats, const struct csgcast_scene *s
     const struct csg_flat *sorted = flats->sorted.data;
     for (size_t i = begin, line = 0; i < end; i++) {
         const size_t last = num - i < CSG_FINE_NEIGHBOURS ? num : i + CSG_FINE_NEIGHBOURS;
-        for (line = line > i ? line : i + 1; line < num && is_parallel(&sorted[i], &sorted[line]);)
+        for (line = line > i ? line : i + 1; line < last && is_parallel(&sorted[i], &sorted[line]);)
             line++;
-        note_parallel(sharp, scene, flats, i, line < last ? line : last, ball->radius, noise);
+        note_parallel(sharp, scene, flats, i, line, ball->radius, noise);
         for (size_t j = line; j < last; j++) {
             if (fabs(flats->other_places.data[j] - sorted[i].other_place) >= 2 * CSG_FINE_MAX_ANGLE)
                 continue;
