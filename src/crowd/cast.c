@@ -77,13 +77,18 @@ PART void start(struct csg_spans *spans)
     }
 }
 
+/* Of x^2 in the conic. */
+PART float sign_of(const float *quadric)
+{
+    const int code = (int)quadric[3];
+    return code & CSG_QUADRIC_X_MINUS ? -1.f : code & CSG_QUADRIC_X_PLUS ? 1.f : 0.f;
+}
+
 /* Twin of csg_quadric in shaders/solids/quadric.glsl. Where h may be negative the ray may miss. */
 PART void start_quadric(const struct csg_cast *cast, float dx, float dy, struct csg_spans *spans)
 {
     const float *t = cast->quadric;
-    const int code = (int)t[3];
-    const float sign = code & CSG_QUADRIC_X_MINUS ? -1.f : code & CSG_QUADRIC_X_PLUS ? 1.f : 0.f;
-    const float m0 = t[0] + t[2] * dy, mx = t[1];
+    const float sign = sign_of(t), m0 = t[0] + t[2] * dy, mx = t[1];
     const float x0 = t[4] + t[6] * dy, xx = t[5];
     const float y0 = t[8] + t[5] * dy, yx = -t[6];
     const float c0 = t[7], cx = t[9], cy = t[10], ly = t[11];
@@ -302,12 +307,6 @@ static struct range square_range(float a, float b, struct range x)
 struct quadric_ranges {
     struct range middle, x, y, h;
 };
-
-static float sign_of(const float *quadric)
-{
-    const int code = (int)quadric[3];
-    return code & CSG_QUADRIC_X_MINUS ? -1.f : code & CSG_QUADRIC_X_PLUS ? 1.f : 0.f;
-}
 
 static struct quadric_ranges quadric_ranges(const struct csg_cast *cast,
                                             const struct csg_cast_rect *rect,

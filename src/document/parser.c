@@ -155,10 +155,25 @@ static void close_braces(struct parser *parser)
     advance(parser);
 }
 
+static uint8_t modifier_of(const struct csg_token *token)
+{
+    switch (token->mark) {
+    case '%':
+        return CSG_MODIFIER_BACKGROUND;
+    case '#':
+        return CSG_MODIFIER_HIGHLIGHT;
+    case '*':
+        return CSG_MODIFIER_DISABLE;
+    case '!':
+        return CSG_MODIFIER_ROOT;
+    default:
+        return 0;
+    }
+}
+
 static bool starts_node(const struct csg_token *token)
 {
-    return token->type == CSG_TOKEN_NAME || csg_token_is(token, '%') || csg_token_is(token, '#') ||
-           csg_token_is(token, '*') || csg_token_is(token, '!');
+    return token->type == CSG_TOKEN_NAME || modifier_of(token) != 0;
 }
 
 /* What follows the arguments of node. */
@@ -291,22 +306,6 @@ static enum csg_status read_node(struct parser *parser)
         }
     }
     return status == CSG_NO_MEMORY ? status : read_children(parser, node);
-}
-
-static uint8_t modifier_of(const struct csg_token *token)
-{
-    switch (token->mark) {
-    case '%':
-        return CSG_MODIFIER_BACKGROUND;
-    case '#':
-        return CSG_MODIFIER_HIGHLIGHT;
-    case '*':
-        return CSG_MODIFIER_DISABLE;
-    case '!':
-        return CSG_MODIFIER_ROOT;
-    default:
-        return 0;
-    }
 }
 
 static enum csg_status read_name(struct parser *parser)

@@ -60,11 +60,11 @@ static bool is_round(const struct csg_map *map, int num)
     return true;
 }
 
-static bool has_diagonal(const struct csg_quadric *quadric, double x, double y, double z,
-                         double constant)
+/* Whether it is x^2 + y^2 + z z^2 + constant. */
+static bool has_diagonal(const struct csg_quadric *quadric, double z, double constant)
 {
     const int8_t *diag = quadric->diag;
-    return diag[0] == x && diag[1] == y && diag[2] == z && diag[3] == constant &&
+    return diag[0] == 1 && diag[1] == 1 && diag[2] == z && diag[3] == constant &&
            quadric->linear == 0;
 }
 
@@ -74,7 +74,7 @@ static bool write_sphere(struct csg_text *text, const struct csg_shape *shape,
                          const struct csg_map *from_canon, const char *tail)
 {
     char center[CSG_TEXT_VECTOR], radius[CSG_TEXT_NUMBER];
-    if (shape->num_planes || !has_diagonal(&shape->quadric, 1, 1, 1, -1))
+    if (shape->num_planes || !has_diagonal(&shape->quadric, 1, -1))
         return false;
     csg_text_open(text, "sphere");
     if (is_round(from_canon, 3)) {
@@ -149,9 +149,9 @@ static void write_mapped_ends(struct csg_text *text, const struct csg_map *map, 
 static bool write_cylinder(struct csg_text *text, const struct csg_shape *shape,
                            const struct csg_map *from_canon, const char *tail)
 {
-    const bool is_cone = has_diagonal(&shape->quadric, 1, 1, -1, 0) && shape->sheet != 0;
+    const bool is_cone = has_diagonal(&shape->quadric, -1, 0) && shape->sheet != 0;
     double lo, hi;
-    if ((!is_cone && !has_diagonal(&shape->quadric, 1, 1, 0, -1)) ||
+    if ((!is_cone && !has_diagonal(&shape->quadric, 0, -1)) ||
         !find_ends(shape, from_canon, &lo, &hi))
         return false;
     if (is_cone && shape->sheet * (shape->sheet > 0 ? lo : hi) < 0)

@@ -55,8 +55,7 @@ static struct csg_view_row pixel_row(const struct csg_surface_view *view,
 static void set_rows(struct csg_surface_view *view, const struct csg_screen *screen,
                      struct csg_pixel at)
 {
-    const bool flat = screen->orthographic;
-    view->flat = flat;
+    const bool flat = view->flat = screen->orthographic;
     view->middle = csg_box_middle(&view->surface->nodes.data[0].box);
     view->x = pixel_row(view, screen, flat ? screen->origin_dx : screen->direction_dx, at.x);
     view->y = pixel_row(view, screen, flat ? screen->origin_dy : screen->direction_dy, at.y);
@@ -102,21 +101,6 @@ static struct csg_view_point view_point(const struct csg_surface_view *view,
 
 /* ---- triangles ---------------------------------------------------------------------------- */
 
-/* Whether a half number is between lo and hi. What is added and taken away rounds to a whole
- * number; floor() is a call where processors need not have the instruction. */
-static bool holds_half(double lo, double hi)
-{
-    static const double whole = 0x1.8p52;
-    const double top = hi + 0.5, nearest = (top + whole) - whole;
-    return (nearest > top ? nearest - 1 : nearest) >= lo + 0.5;
-}
-
-/* Whether a pixel's centre is within. */
-static bool holds_center(const double lo[2], const double hi[2])
-{
-    return holds_half(lo[0], hi[0]) && holds_half(lo[1], hi[1]);
-}
-
 const struct csg_view_node csg_view_nowhere = {
     {INFINITY, INFINITY}, {-INFINITY, -INFINITY}, INFINITY, -INFINITY};
 
@@ -158,8 +142,7 @@ static bool holds_pixel(const struct csg_view_point *p[3])
 
 static double least(double a, double b, double c)
 {
-    const double ab = a < b ? a : b;
-    return ab < c ? ab : c;
+    return csg_least(csg_least(a, b), c);
 }
 
 bool csg_view_triangle(const struct csg_surface_view *view, uint32_t triangle,
@@ -248,16 +231,20 @@ static bool box_rect(const struct csg_surface_view *view, const struct csg_box *
     return true;
 }
 
-/* The part of a rectangle that is in the picture, with the pixels beside it that drivers draw. */
-static struct csg_view_rect clip_rect(const struct csg_view_rect *rect,
-                                      const struct csg_view_rect *picture)
+/* Leaves the part that is in the picture, with the pixels beside it that drivers draw. */
+static void clip_rect(struct csg_view_rect *rect, const struct csg_view_rect *picture)
 {
-    struct csg_view_rect clipped;
     for (int i = 0; i < 2; i++) {
-        clipped.lo[i] = csg_most(rect->lo[i], picture->lo[i]);
-        clipped.hi[i] = csg_least(rect->hi[i], picture->hi[i]);
+        rect->lo[i] = csg_most(rect->lo[i], picture->lo[i]);
+        rect->hi[i] = csg_least(rect->hi[i], picture->hi[i]);
     }
-    return clipped;
+}
+
+/* Whether a pixel's centre is in it. */
+static bool holds_center(const struct csg_view_rect *rect)
+{
+    return whole_below(rect->hi[0] + 0.5) >= rect->lo[0] + 0.5 &&
+           whole_below(rect->hi[1] + 0.5) >= rect->lo[1] + 0.5;
 }
 
 static bool shows_nothing(const struct csg_surface_view *view, const struct csg_box *box,
@@ -266,8 +253,8 @@ static bool shows_nothing(const struct csg_surface_view *view, const struct csg_
     struct csg_view_rect rect;
     if (!box_rect(view, box, &rect))
         return false;
-    rect = clip_rect(&rect, picture);
-    return !holds_center(rect.lo, rect.hi);
+    clip_rect(&rect, picture);
+    return !holds_center(&rect);
 }
 
 /* Points of the leaf's triangles that are not there yet. */
@@ -320,10 +307,10 @@ static bool shows_little(const struct csg_surface_view *view, const struct csg_v
     struct csg_view_rect rect;
     if (!box_rect(view, &view->surface->nodes.data[0].box, &rect))
         return true;
-    const struct csg_view_rect clipped = clip_rect(&rect, picture);
-    const double shown = area_of(&clipped);
-    return shown < SMALL_SHARE * area_of(&rect) ||
-           shown < FEW_PIXELS * (double)view->surface->triangles.num;
+    const double all = area_of(&rect);
+    clip_rect(&rect, picture);
+    const double shown = area_of(&rect);
+    return shown < SMALL_SHARE * all || shown < FEW_PIXELS * (double)view->surface->triangles.num;
 }
 
 /* ---- views -------------------------------------------------------------------------------- */
