@@ -33,32 +33,24 @@ static void find_keys(struct finder *finder)
     finder->occluders->bins = csg_key_bins(lo, hi);
 }
 
-static void count_block(void *user, size_t task)
+/* Counts a block's occluders in each of their strips; where there is room, found, puts them there
+ * instead. */
+static void visit_block(void *user, size_t task)
 {
     struct finder *finder = user;
     const struct csg_crowd_block *block = &finder->cull->blocks.data[task];
+    uint32_t *found = finder->occluders->found, *next = finder->next[task];
     for (size_t i = block->begin; i < block->begin + block->num; i++) {
         const struct csg_candidate *candidate = &finder->cull->candidates[i];
         if (csg_hides_others(finder->cull, candidate) != finder->opaque)
             continue;
-        finder->num[task]++;
+        finder->num[task] += !found;
         for (int strip = finder->strip_of[candidate->lo[1]];
-             strip <= finder->strip_of[candidate->hi[1]]; strip++)
-            finder->next[task][strip]++;
-    }
-}
-
-static void place_block(void *user, size_t task)
-{
-    struct finder *finder = user;
-    const struct csg_crowd_block *block = &finder->cull->blocks.data[task];
-    for (size_t i = block->begin; i < block->begin + block->num; i++) {
-        const struct csg_candidate *candidate = &finder->cull->candidates[i];
-        if (csg_hides_others(finder->cull, candidate) != finder->opaque)
-            continue;
-        for (int strip = finder->strip_of[candidate->lo[1]];
-             strip <= finder->strip_of[candidate->hi[1]]; strip++)
-            finder->occluders->found[finder->next[task][strip]++] = (uint32_t)i;
+             strip <= finder->strip_of[candidate->hi[1]]; strip++) {
+            if (found)
+                found[next[strip]] = (uint32_t)i;
+            next[strip]++;
+        }
     }
 }
 
@@ -87,13 +79,13 @@ static bool find(struct finder *finder)
     struct csg_occluders *occluders = finder->occluders;
     const int num_threads = cull->view.frame->num_threads;
     find_keys(finder);
-    csg_parallel(num_threads, cull->blocks.num, count_block, finder);
+    csg_parallel(num_threads, cull->blocks.num, visit_block, finder);
     const size_t num = plan(finder);
     occluders->found = malloc((num + 1) * sizeof *occluders->found);
     occluders->order = malloc((num + 1) * sizeof *occluders->order);
     if (!occluders->found || !occluders->order)
         return false;
-    csg_parallel(num_threads, cull->blocks.num, place_block, finder);
+    csg_parallel(num_threads, cull->blocks.num, visit_block, finder);
     return true;
 }
 
