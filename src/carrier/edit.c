@@ -117,26 +117,6 @@ static void count(const struct csg_carrier_change *change)
     count_own(change);
 }
 
-/* Whether the object has no quadric in common with another leaf; its own then get their boxes. */
-static bool fill_own_boxes(struct csg_carrier_change *change, const struct csg_object *object)
-{
-    const struct csg_node *nodes = change->scene->trees[object->layer].data;
-    struct csg_carriers *carriers = change->carriers;
-    for (uint32_t i = object->begin; i < object->end; i++) {
-        if (nodes[i].op != CSG_LEAF || nodes[i].spare)
-            continue;
-        const uint32_t carrier = carriers->quadric_faces[nodes[i].leaf].carrier;
-        if (carrier == CSG_NO_CARRIER)
-            continue;
-        if (change->builder->lists[CSG_QUADRIC].uses.data[carrier] > 1)
-            return false;
-        const struct csg_box box = change->scene->leaves[nodes[i].leaf].box;
-        const struct csg_box seen = csg_box_intersection(&box, &object->box);
-        carriers->quadric_boxes[carrier] = csg_box_is_empty(&seen) ? csg_box_empty : seen;
-    }
-    return true;
-}
-
 /* Whether no leaf but those that changed has other carriers, and none shares a quadric that one of
  * those has left. */
 static bool are_alone(const struct csg_carrier_change *change)
@@ -161,7 +141,7 @@ static bool need_no_boxes(const struct csg_carrier_change *change)
 {
     const struct csg_before *before = change->before;
     const struct csg_carriers *carriers = change->carriers;
-    if (before->scene->carriers->quadric_boxes || !before->objects || !are_alone(change))
+    if (before->scene->carriers->quadric_boxes || !before->box || !are_alone(change))
         return false;
     for (size_t i = 0; i < before->num; i++) {
         const uint32_t carrier = carriers->quadric_faces[before->leaves[i]].carrier;
@@ -169,29 +149,6 @@ static bool need_no_boxes(const struct csg_carrier_change *change)
             return false;
     }
     return true;
-}
-
-/* What csg_carriers_fill_boxes finds. */
-static bool follow_boxes(struct csg_carrier_change *change)
-{
-    const struct csg_before *before = change->before;
-    const struct csg_carriers *old = before->scene->carriers;
-    struct csg_carriers *carriers = change->carriers;
-    const size_t num = carriers->num_quadrics + 1;
-    if (need_no_boxes(change))
-        return true;
-    bool alone = old->quadric_boxes && before->objects && are_alone(change);
-    carriers->quadric_boxes = alone ? malloc(num * sizeof *carriers->quadric_boxes) : NULL;
-    if (!carriers->quadric_boxes)
-        return csg_carriers_fill_boxes(change->scene, carriers);
-    memcpy(carriers->quadric_boxes, old->quadric_boxes,
-           old->num_quadrics * sizeof *old->quadric_boxes);
-    for (size_t i = 0; i < before->num_objects && alone; i++)
-        alone = fill_own_boxes(change, &change->scene->objects->data[before->objects[i]]);
-    if (alone)
-        return true;
-    free(carriers->quadric_boxes);
-    return csg_carriers_fill_boxes(change->scene, carriers);
 }
 
 /* Whether surfaces have places for faces that have come near. */
@@ -222,7 +179,7 @@ static bool follow(struct csg_carrier_change *change)
         !csg_carrier_settle(change, CSG_QUADRIC))
         return false;
     count(change);
-    return follow_boxes(change);
+    return need_no_boxes(change) || csg_carriers_fill_boxes(change->scene, change->carriers);
 }
 
 static bool is_speck(const struct csg_carrier_change *change, const struct csg_box *all)
@@ -321,7 +278,7 @@ static bool are_most(const struct csgcast_scene *scene, const struct csg_before 
  * included. */
 static struct csg_carriers *create(const struct csg_carrier_change *change, bool keeps)
 {
-    return change->before->objects ? NULL : csg_carriers_create(change->scene, keeps);
+    return change->before->box ? NULL : csg_carriers_create(change->scene, keeps);
 }
 
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
@@ -330,7 +287,7 @@ struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
     struct csg_carrier_change change = {.scene = scene,
                                         .before = before,
                                         .builder = before->scene->carriers->kept,
-                                        .is_same = before->objects != NULL};
+                                        .is_same = before->box != NULL};
     if (are_most(scene, before))
         return create(&change, false);
     if (!change.builder)

@@ -18,17 +18,14 @@ struct csg_before {
     const uint32_t *leaves;                /* that have changed, one for each shape */
     size_t num;
     const struct csg_tree *trees; /* by layer: simplified, but for what boxes show */
-    /* Where the objects are those that were there (prepare/follow.h), the ones whose boxes may be
-     * others now, and the box of all; else NULL. */
-    const uint32_t *objects;
-    size_t num_objects;
+    /* Where the objects are those that were there (prepare/follow.h), the box of all; else NULL. */
     const struct csg_box *box;
 };
 
 /*
  * The carriers of the scene, whose leaves and objects are those after the edit: the same as
  * csg_carriers_create makes, but for carriers' numbers. What was kept goes to them; where that does
- * not do they are created, or, with before->objects, left to be. NULL: out of memory, or left.
+ * not do they are created, or, with before->box, left to be. NULL: out of memory, or left.
  */
 struct csg_carriers *csg_carriers_edit(const struct csgcast_scene *scene,
                                        const struct csg_before *before);

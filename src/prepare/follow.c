@@ -196,8 +196,6 @@ static bool renew_carriers(struct follow *follow, struct csg_carriers **old)
         return false;
     const struct csg_box box = renew_totals(follow);
     struct csg_before before = *follow->before;
-    before.objects = follow->objects.data;
-    before.num_objects = follow->objects.num;
     before.box = &box;
     struct csg_carriers *carriers = csg_carriers_edit(scene, &before);
     if (!carriers)
