@@ -11,6 +11,10 @@
  * of them goes round than a pixel of all of them costs more (measured). */
 #define RING_WIDTHS 8
 
+/* ... where they are at least this part of the scene's leaves: of many turned profiles each is small
+ * in the picture. */
+#define RING_PART 3
+
 /* A ring that is drawn in double costs as much as so many bands, about (measured). */
 #define RINGS_FOR_DOUBLE 32
 
@@ -70,11 +74,11 @@ static void add_ring_leaf(struct rings *rings, const struct csg_leaf *leaf, bool
 
 /* Whether the rings are far around the axis: each by itself is drawn in a rectangle that is empty
  * but for its border. */
-static bool are_wide(const struct rings *rings)
+static bool are_wide(const struct rings *rings, size_t num_leaves)
 {
     const double across = rings->largest - rings->smallest + rings->hi - rings->lo;
     return rings->num_outer >= CSG_STACK_MIN_RINGS && rings->num_inner == rings->num_outer &&
-           rings->largest > RING_WIDTHS * across;
+           RING_PART * rings->num >= num_leaves && rings->largest > RING_WIDTHS * across;
 }
 
 /*
@@ -100,8 +104,8 @@ static bool are_joined_rings(const struct gatherer *gatherer, const struct csg_t
             return false;
         add_ring_leaf(&rings, leaf, tree->data[i].negated, size);
     }
-    return rings.num >= CSG_STACK_MIN_RINGS &&
-           (rings.num_fine > rings.num / RINGS_FOR_DOUBLE || are_wide(&rings));
+    return rings.num >= CSG_STACK_MIN_RINGS && (rings.num_fine > rings.num / RINGS_FOR_DOUBLE ||
+                                                are_wide(&rings, gatherer->scene->num_leaves));
 }
 
 /* The operands from i on that are one node's. */

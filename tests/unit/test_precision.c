@@ -178,11 +178,14 @@ static void check_rings(struct csgcast_renderer *renderer)
 /* They are, too, where they lie far around the axis and what is turned is small. */
 static void check_wide_rings(void)
 {
+#define RING "rotate_extrude($fn = 60) translate([50, 0]) circle(1, $fn = 24);"
     static const struct {
         const char *text;
         size_t num;
     } cases[] = {
-        {"rotate_extrude($fn = 60) translate([50, 0]) circle(1, $fn = 24);", 1},
+        {RING, 1},
+        {RING "translate([150, 0]) " RING "translate([0, 150]) " RING "translate([150, 150]) " RING,
+         48},
         {"rotate_extrude($fn = 60) translate([50, 0]) circle(10, $fn = 24);", 12},
         {"rotate_extrude($fn = 60) translate([50, 0]) scale([1, 30]) circle(1, $fn = 24);", 12},
         {"rotate_extrude($fn = 60) translate([50, 0]) circle(1, $fn = 8);", 4},
