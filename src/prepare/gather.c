@@ -11,7 +11,7 @@
  * of them goes round than a pixel of all of them costs more (measured). */
 #define RING_WIDTHS 8
 
-/* ... where they are at least this part of the scene's leaves: of many turned profiles each is small
+/* ... where they are at least this part of the leaves of the scene: of many profiles each is small
  * in the picture. */
 #define RING_PART 3
 
