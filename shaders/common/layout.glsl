@@ -20,7 +20,8 @@
 #define CSG_RECORD_POP 64     /* no leaf: combine with the operand on the stack */
 #define CSG_RECORD_SURFACE 128 /* a surface of triangles, see below */
 #define CSG_RECORD_BOUND 256  /* no leaf: what follows does not matter before the header's key */
-#define CSG_RECORD_MORE 512  /* in a cell: the next record holds more faces of the same leaf */
+#define CSG_RECORD_MORE 512  /* the next record narrows the same literal: by more faces of the leaf
+                              * in a cell, by a solid of a product (csg_node_is_product) in a tile */
 #define CSG_RECORD_BANDS 1024 /* with CSG_RECORD_SURFACE: no triangles but bands, see below */
 
 /*

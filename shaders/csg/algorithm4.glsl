@@ -44,7 +44,7 @@ void csg_collect(int begin, int end, vec2 d)
             p++;
             continue;
         }
-        csg_span span;
+        csg_span span = csg_whole_ray();
         csg_real2 gap;
         csg_read_leaf(p, head, d, span, gap);
         if (gap.x < gap.y) {

@@ -5,7 +5,7 @@
 bool csg_resolve(ivec3 object, vec2 d, out csg_real k, out ivec2 place, out bool inside)
 {
     int p = object.x;
-    csg_span span;
+    csg_span span = csg_whole_ray();
     csg_real2 gap; /* it has none */
     csg_read_leaf(p, csg_texel(p), d, span, gap);
     k = span.key.y;

@@ -2,13 +2,14 @@
 /*
  * Any tree, from the data texture: records [begin, end) are run by a machine with one accumulator
  * and a stack. dual asks for the complement of the tree: where does the solid end?
+ * What several convex solids have in common is one interval, so a product is a literal, whose
+ * records narrow one span.
  */
 
-/* The leaf whose record is at p; moves p past it. */
-void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_real2 gap)
+/* Narrows span by the leaf whose record is at p; moves p past it. */
+void csg_read_leaf(inout int p, vec4 head, vec2 d, inout csg_span span, out csg_real2 gap)
 {
     int flags = int(head.z), entries = int(head.x), exits = int(head.y);
-    span = csg_whole_ray();
     gap = csg_real2(CSG_KEY_MAX);
     csg_clip_planes(p + 1, entries, exits, d, span);
     p += 1 + (entries + exits) * CSG_TERM_TEXELS;
@@ -30,8 +31,10 @@ void csg_read_leaf(inout int p, vec4 head, vec2 d, out csg_span span, out csg_re
 #endif
 }
 
-/* Where, at k or later, the literal whose record is at p can be true at the soonest; moves p on. */
-csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negated)
+/* Where, at k or later, the literal whose record is at p can be true at the soonest, span being
+ * what the records of it before that have left; moves p on. */
+csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negated,
+                         inout csg_span span)
 {
 #ifdef CSG_HAS_BANDS
     if ((int(head.z) & CSG_RECORD_BANDS) != 0) {
@@ -47,7 +50,6 @@ csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negate
         return next;
     }
 #endif
-    csg_span span;
     csg_real2 gap;
     csg_read_leaf(p, head, d, span, gap);
 #ifdef CSG_HAS_GAP
@@ -57,8 +59,10 @@ csg_real csg_record_next(inout int p, vec4 head, vec2 d, csg_real k, bool negate
 #endif
 }
 
-/* The leaf whose record is at p, just before and after k, and its face there; moves p on. */
-bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, out int face)
+/* The literal's solid just before and after k, and the face there of the leaf whose record is at p;
+ * the same otherwise. */
+bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, inout csg_span span,
+                        out int face)
 {
 #ifdef CSG_HAS_BANDS
     if ((int(head.z) & CSG_RECORD_BANDS) != 0) {
@@ -74,7 +78,6 @@ bvec2 csg_record_around(inout int p, vec4 head, vec2 d, csg_real k, out int face
         return at;
     }
 #endif
-    csg_span span;
     csg_real2 gap;
     csg_read_leaf(p, head, d, span, gap);
     bvec2 around = csg_around_gap(k, span.key, gap);
@@ -92,6 +95,7 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
     csg_real stack[CSG_STACK_SIZE];
     int top = 0, group = 0, again = 0;
     csg_real result = 0.0, at_group = k;
+    csg_span span = csg_whole_ray();
     for (int p = begin; p < end;) {
         int record = p;
         vec4 head = csg_texel(p);
@@ -119,17 +123,19 @@ csg_real csg_program_next(int begin, int end, vec2 d, csg_real k, bool dual)
             bool negated = ((flags & CSG_RECORD_NEGATED) != 0) != dual;
             /* In an intersection nothing before what the operands so far ask for can be true. */
             csg_real at = all && (flags & CSG_RECORD_START) == 0 ? result : at_group;
-            value = csg_record_next(p, head, d, at, negated);
+            value = csg_record_next(p, head, d, at, negated, span);
         }
+        bool more = (flags & CSG_RECORD_MORE) != 0;
+        span.key = more ? span.key : csg_whole_ray().key;
         if ((flags & CSG_RECORD_PUSH) != 0) {
             stack[top++] = result;
             again = record == group ? again : 0;
             group = record;
         }
         if ((flags & CSG_RECORD_START) != 0)
-            result = value;
+            result = more ? result : value;
         else
-            result = all ? max(result, value) : min(result, value);
+            result = more ? result : all ? max(result, value) : min(result, value);
     }
     return result;
 }
@@ -140,6 +146,9 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
     csg_change stack[CSG_STACK_SIZE];
     int top = 0;
     csg_change result = csg_change(false, false, CSG_RANK_NONE, ivec2(0));
+    csg_span span = csg_whole_ray();
+    ivec2 enters = ivec2(begin, 0), leaves = enters; /* by whose face: its record, and its block */
+    bool more = false;
     for (int p = begin; p < end;) {
         int record = p;
         vec4 head = csg_texel(p);
@@ -157,8 +166,12 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
         } else {
             int face;
             bool negated = (flags & CSG_RECORD_NEGATED) != 0;
-            bvec2 around = csg_record_around(p, head, d, k, face);
-            int block = int(head.w);
+            csg_real2 before = span.key;
+            bvec2 around = csg_record_around(p, head, d, k, span, face);
+            enters = span.key.x > before.x || !more ? ivec2(record, head.w) : enters;
+            leaves = span.key.y < before.y || !more ? ivec2(record, head.w) : leaves;
+            record = around.x ? leaves.x : enters.x;
+            int block = around.x ? leaves.y : enters.y;
             bool taken = negated;
 #ifdef CSG_HAS_BANDS
             if ((flags & CSG_RECORD_BANDS) != 0) {
@@ -173,6 +186,10 @@ ivec2 csg_program_change(int begin, int end, vec2 d, csg_real k, bool dual)
         }
         if ((flags & CSG_RECORD_PUSH) != 0)
             stack[top++] = result;
+        more = (flags & CSG_RECORD_MORE) != 0;
+        if (more)
+            continue;
+        span = csg_whole_ray();
         if ((flags & CSG_RECORD_START) != 0)
             result = value;
         else

@@ -11,6 +11,38 @@ struct compiler {
     struct csg_program *program;
 };
 
+uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node)
+{
+    if (node->leaf >= scene->num_leaves)
+        return (node->negated ? CSG_RECORD_NEGATED : 0) | CSG_RECORD_SURFACE | CSG_RECORD_BANDS;
+    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
+    return (node->negated ? CSG_RECORD_NEGATED : 0) | (shape->surface ? CSG_RECORD_SURFACE : 0) |
+           (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
+           (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
+}
+
+bool csg_node_is_product(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                         uint32_t node)
+{
+    const struct csg_node *nodes = tree->data;
+    for (uint32_t child = node + 1; child < nodes[node].end; child++)
+        if (nodes[child].op != CSG_LEAF || nodes[child].negated != (nodes[node].op == CSG_OR) ||
+            (child > node + 1 && nodes[child].leaf <= nodes[child - 1].leaf) ||
+            csg_node_flags(scene, &nodes[child]) & (CSG_RECORD_SURFACE | CSG_RECORD_GAP))
+            return false;
+    return node > 0 && nodes[node].op != CSG_LEAF;
+}
+
+static bool is_product(const struct compiler *compiler, uint32_t node)
+{
+    return compiler->room->products && csg_node_is_product(compiler->scene, compiler->tree, node);
+}
+
+static bool is_literal(const struct compiler *compiler, uint32_t node)
+{
+    return compiler->tree->data[node].op == CSG_LEAF || is_product(compiler, node);
+}
+
 static uint8_t need_of(const struct compiler *compiler, uint32_t node)
 {
     return compiler->room->needs.data[node - compiler->begin];
@@ -29,12 +61,12 @@ static uint32_t deepest_child(const struct compiler *compiler, uint32_t node)
 static uint8_t stack_need(const struct compiler *compiler, uint32_t node)
 {
     const struct csg_node *nodes = compiler->tree->data;
-    if (nodes[node].op == CSG_LEAF || nodes[node].end == node + 1)
+    if (is_literal(compiler, node) || nodes[node].end == node + 1)
         return 0;
     const uint32_t first = deepest_child(compiler, node);
     uint8_t need = need_of(compiler, first);
     for (uint32_t child = node + 1; child < nodes[node].end; child = nodes[child].end) {
-        if (child == first || nodes[child].op == CSG_LEAF)
+        if (child == first || is_literal(compiler, child))
             continue;
         const uint8_t own = (uint8_t)(need_of(compiler, child) + 1);
         need = own > need ? own : need;
@@ -56,7 +88,7 @@ static bool expand(const struct compiler *compiler, struct csg_program_task task
     for (uint32_t child = task.node + 1; child < nodes[task.node].end; child = nodes[child].end) {
         if (child == first)
             continue;
-        if (nodes[child].op == CSG_LEAF) {
+        if (is_literal(compiler, child)) {
             if (!push_task(compiler, child, op))
                 return false;
         } else if (!push_task(compiler, child, op | CSG_RECORD_POP) ||
@@ -67,21 +99,24 @@ static bool expand(const struct compiler *compiler, struct csg_program_task task
     return push_task(compiler, first, task.flags);
 }
 
-uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node)
-{
-    if (node->leaf >= scene->num_leaves)
-        return (node->negated ? CSG_RECORD_NEGATED : 0) | CSG_RECORD_SURFACE | CSG_RECORD_BANDS;
-    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
-    return (node->negated ? CSG_RECORD_NEGATED : 0) | (shape->surface ? CSG_RECORD_SURFACE : 0) |
-           (shape->has_quadric ? CSG_RECORD_QUADRIC : 0) |
-           (shape->has_quadric && !shape->convex ? CSG_RECORD_GAP : 0);
-}
-
 static bool emit_leaf(const struct compiler *compiler, struct csg_program_task task)
 {
     const struct csg_node *node = &compiler->tree->data[task.node];
     const uint32_t flags = task.flags | csg_node_flags(compiler->scene, node);
     return csg_array_push(compiler->program, ((struct csg_step){node->leaf, flags}));
+}
+
+static bool emit_product(const struct compiler *compiler, struct csg_program_task task)
+{
+    const struct csg_node *nodes = compiler->tree->data;
+    const uint32_t end = nodes[task.node].end;
+    for (uint32_t child = task.node + 1; child < end; child++) {
+        const uint32_t more = child + 1 < end ? CSG_RECORD_MORE : 0;
+        if (!emit_leaf(compiler, (struct csg_program_task){child, task.flags | more}))
+            return false;
+        task.flags &= ~(uint32_t)CSG_RECORD_PUSH;
+    }
+    return true;
 }
 
 static bool run(const struct compiler *compiler)
@@ -97,6 +132,8 @@ static bool run(const struct compiler *compiler)
             ok = csg_array_push(compiler->program, ((struct csg_step){0, task.flags}));
         else if (node->op == CSG_LEAF)
             ok = emit_leaf(compiler, task);
+        else if (is_product(compiler, task.node))
+            ok = emit_product(compiler, task);
         else
             ok = expand(compiler, task);
         if (!ok)

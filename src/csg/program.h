@@ -31,8 +31,16 @@ struct csg_program {
 /* CSG_RECORD_NEGATED, _SURFACE, _QUADRIC and _GAP of a leaf's node. */
 uint32_t csg_node_flags(const struct csgcast_scene *scene, const struct csg_node *node);
 
+/*
+ * Whether the node, not the root, is an intersection of convex solids, or the complement of one, in
+ * the order of the file: rays are inside of it between two keys, so it may be one literal.
+ */
+bool csg_node_is_product(const struct csgcast_scene *scene, const struct csg_tree *tree,
+                         uint32_t node);
+
 /* What it takes to append to one: zeroed before the first time, kept for the next. */
 struct csg_program_room {
+    bool products; /* intersections of convex solids, or their complements, are one literal */
     CSG_ARRAY(uint8_t) needs; /* stack entries that a subtree needs, by node */
     CSG_ARRAY(struct csg_program_task {
         uint32_t node;

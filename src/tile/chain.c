@@ -9,7 +9,7 @@
 #define NOT_IN_CHAINS (CSG_RECORD_GAP | CSG_RECORD_BOUND | CSG_RECORD_SURFACE)
 
 /* What follows one another without clauses, but for the complement that does not come first. */
-#define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH)
+#define NOT_IN_ROWS (CSG_RECORD_POP | CSG_RECORD_PUSH | CSG_RECORD_MORE)
 
 /* Whether a slot with so many planes of either sense has room for the record. */
 static bool fits_slot(const float *head, int planes)

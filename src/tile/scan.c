@@ -122,7 +122,13 @@ static bool add_operand(struct csg_scan *scan, const struct csg_terms *terms,
         return false;
     if (first == 0)
         return true;
-    scan->program.data[first].flags |= CSG_RECORD_PUSH;
+    struct csg_step *steps = scan->program.data;
+    if (csg_node_is_product(terms->scene, tree, i)) {
+        for (size_t j = first; j < scan->program.num; j++)
+            steps[j].flags = (steps[j].flags & ~(uint32_t)CSG_RECORD_START) | CSG_RECORD_AND;
+        return true;
+    }
+    steps[first].flags |= CSG_RECORD_PUSH;
     return add_step(scan, CSG_RECORD_POP | CSG_RECORD_AND, 0);
 }
 
@@ -149,6 +155,7 @@ bool csg_scan_fill(struct csg_scan *scan, const struct csg_terms *terms,
                    const struct csg_tree *tree, const struct csg_leaf_range *ranges, bool bounded)
 {
     bool only_leaves;
+    scan->room.products = true;
     scan->program.num = scan->bounds.num = 0;
     if (tree->data[0].op == CSG_LEAF)
         return add_operand(scan, terms, tree, 0);

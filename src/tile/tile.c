@@ -183,11 +183,25 @@ static bool has_stiff(const struct csg_tiler *tiler, const struct csg_tree *tree
     return false;
 }
 
+/* Whether the tree is an intersection of literals, some of them products: the loop needs one look
+ * at each of these, so that smaller tiles do not repay their making. */
+static bool has_products(const struct csg_tiler *tiler, const struct csg_tree *tree)
+{
+    bool found = false;
+    for (uint32_t i = 1; i < tree->num; i = tree->data[i].end) {
+        const bool product = csg_node_is_product(tiler->terms->scene, tree, i);
+        if (!product && tree->data[i].op != CSG_LEAF)
+            return false;
+        found |= product;
+    }
+    return found && tree->data[0].op == CSG_AND;
+}
+
 static bool is_crowded(const struct csg_tiler *tiler, const struct csg_tile_task *task,
                        size_t num_leaves)
 {
     return may_chain(tiler) && num_leaves > CSG_CHAIN_LITERALS && num_leaves <= CROWDED_LEAVES &&
-           !has_stiff(tiler, &task->tree);
+           !has_stiff(tiler, &task->tree) && !has_products(tiler, &task->tree);
 }
 
 /* As small as tiles are cut for other reasons than planes. */
