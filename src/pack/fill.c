@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/frame.h"
 
-#include <stdlib.h>
-
 #include "common/clock.h"
 #include "crowd/fill.h"
 #include "csg/membership.h"
@@ -18,13 +16,7 @@ struct packer {
     const struct csg_frame_params *params;
     struct csg_terms terms;
     struct csg_tile_queue queue;
-    CSG_ARRAY(struct csg_rect) rects; /* of the nodes of the object at hand */
 };
-
-static bool is_empty(const struct csg_rect *rect)
-{
-    return !(rect->lo[0] < rect->hi[0] && rect->lo[1] < rect->hi[1]);
-}
 
 /* Fewer objects are drawn as soon as rectangles. */
 enum { MIN_POINTS = 1000 };
@@ -41,57 +33,6 @@ static bool has_pixel(const struct csg_rect *rect)
            ceil(rect->lo[1] - 0.5) < floor(rect->hi[1] + 0.5);
 }
 
-static struct csg_rect leaf_rect(const struct packer *packer, const struct csg_node *node)
-{
-    const struct csg_screen *screen = &packer->frame->screen;
-    const struct csg_shape *shape = &packer->scene->leaves[node->leaf].shape;
-    if (node->negated)
-        return (struct csg_rect){{0, 0}, {screen->width, screen->height}};
-    if (node->spare)
-        return (struct csg_rect){{1, 1}, {0, 0}};
-    return csg_screen_rect(screen, &shape->frame, &shape->bounds);
-}
-
-static void combine_rects(struct csg_rect *into, const struct csg_rect *rect, bool all)
-{
-    for (int i = 0; i < 2; i++) {
-        into->lo[i] = all ? fmax(into->lo[i], rect->lo[i]) : fmin(into->lo[i], rect->lo[i]);
-        into->hi[i] = all ? fmin(into->hi[i], rect->hi[i]) : fmax(into->hi[i], rect->hi[i]);
-    }
-}
-
-static struct csg_rect node_rect(const struct packer *packer, uint32_t i)
-{
-    const struct csg_screen *screen = &packer->frame->screen;
-    const struct csg_seen *seen = &packer->terms.seen;
-    const struct csg_node *nodes = seen->nodes;
-    const bool all = nodes[i].op == CSG_AND;
-    struct csg_rect rect = {{0, 0}, {screen->width, screen->height}};
-    if (!all)
-        rect = (struct csg_rect){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
-        const struct csg_rect *operand = &packer->rects.data[child - seen->begin];
-        if (all || !is_empty(operand))
-            combine_rects(&rect, operand, all);
-    }
-    return rect;
-}
-
-/* What the Boolean leaves of the rectangles of the leaves that are seen, within rect. */
-static bool narrow_rect(struct packer *packer, struct csg_rect *rect)
-{
-    const struct csg_seen *seen = &packer->terms.seen;
-    packer->rects.num = 0;
-    if (!csg_array_reserve(&packer->rects, seen->end - seen->begin))
-        return false;
-    for (uint32_t i = seen->end; i-- > seen->begin;)
-        packer->rects.data[i - seen->begin] = seen->nodes[i].op == CSG_LEAF
-                                                  ? leaf_rect(packer, &seen->nodes[i])
-                                                  : node_rect(packer, i);
-    combine_rects(rect, &packer->rects.data[0], true);
-    return true;
-}
-
 static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
                         const struct csg_rect *rect)
 {
@@ -106,13 +47,13 @@ static bool object_rect(struct packer *packer, const struct csg_object *object, 
 {
     const struct csg_frame_params *params = packer->params;
     *rect = csg_screen_rect(&packer->frame->screen, &csg_map_identity, &object->box);
-    if (is_empty(rect))
+    if (csg_rect_is_empty(rect))
         return true;
     if (!csg_terms_see(&packer->terms, object,
                        params->cells == CSG_CELLS_ALWAYS || draws_whole(params, index, rect)))
         return false;
     if (packer->terms.seen.begin < packer->terms.seen.end)
-        return narrow_rect(packer, rect);
+        return csg_seen_narrow(&packer->terms.seen, packer->scene, &packer->frame->screen, rect);
     *rect = (struct csg_rect){{1, 1}, {0, 0}};
     return true;
 }
@@ -234,7 +175,7 @@ static bool add_object(struct packer *packer, const struct csg_object *object, u
     struct csg_rect rect;
     if (!object_rect(packer, object, index, &rect))
         return false;
-    if (is_empty(&rect) || (has_many(packer) && !has_pixel(&rect)))
+    if (csg_rect_is_empty(&rect) || (has_many(packer) && !has_pixel(&rect)))
         return true;
     const struct csg_precision precision =
         csg_frame_precision(packer->frame, packer->scene, index, object->layer);
@@ -399,6 +340,5 @@ bool csg_frame_fill(struct csg_frame *frame, const struct csgcast_scene *scene,
         ok = add_layer(&packer, layer);
     csg_terms_finish(&packer.terms);
     csg_tile_queue_finish(&packer.queue);
-    free(packer.rects.data);
     return ok;
 }

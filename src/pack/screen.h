@@ -75,10 +75,15 @@ void csg_screen_set_near(struct csg_screen *screen, double t);
 /* Whether rays start in a box, or may; in an empty one none does. */
 bool csg_screen_eye_is_in(const struct csg_screen *screen, const struct csg_box *box);
 
-/* Screen rectangle in pixels, clipped to the screen; empty when lo > hi. */
+/* Screen rectangle in pixels, clipped to the screen. */
 struct csg_rect {
     double lo[2], hi[2];
 };
+
+static inline bool csg_rect_is_empty(const struct csg_rect *rect)
+{
+    return !(rect->lo[0] < rect->hi[0] && rect->lo[1] < rect->hi[1]);
+}
 
 /* The part of the screen that a mapped box can cover; all of it when the box crosses the eye
  * plane. */

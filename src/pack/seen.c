@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/seen.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* The terms of fewer leaves are soon made. */
@@ -120,9 +121,61 @@ bool csg_seen_find(struct csg_seen *seen, const struct csgcast_scene *scene,
     return true;
 }
 
+/* ---- where that is -------------------------------------------------------------------------- */
+
+static struct csg_rect leaf_rect(const struct csgcast_scene *scene, const struct csg_screen *screen,
+                                 const struct csg_node *node)
+{
+    const struct csg_shape *shape = &scene->leaves[node->leaf].shape;
+    if (node->negated)
+        return (struct csg_rect){{0, 0}, {screen->width, screen->height}};
+    if (node->spare)
+        return (struct csg_rect){{1, 1}, {0, 0}};
+    return csg_screen_rect(screen, &shape->frame, &shape->bounds);
+}
+
+static void combine_rects(struct csg_rect *into, const struct csg_rect *rect, bool all)
+{
+    for (int i = 0; i < 2; i++) {
+        into->lo[i] = all ? fmax(into->lo[i], rect->lo[i]) : fmin(into->lo[i], rect->lo[i]);
+        into->hi[i] = all ? fmin(into->hi[i], rect->hi[i]) : fmax(into->hi[i], rect->hi[i]);
+    }
+}
+
+static struct csg_rect node_rect(const struct csg_seen *seen, const struct csg_screen *screen,
+                                 uint32_t i)
+{
+    const struct csg_node *nodes = seen->nodes;
+    const bool all = nodes[i].op == CSG_AND;
+    struct csg_rect rect = {{0, 0}, {screen->width, screen->height}};
+    if (!all)
+        rect = (struct csg_rect){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (uint32_t child = i + 1; child < nodes[i].end; child = nodes[child].end) {
+        const struct csg_rect *operand = &seen->rects.data[child - seen->begin];
+        if (all || !csg_rect_is_empty(operand))
+            combine_rects(&rect, operand, all);
+    }
+    return rect;
+}
+
+bool csg_seen_narrow(struct csg_seen *seen, const struct csgcast_scene *scene,
+                     const struct csg_screen *screen, struct csg_rect *rect)
+{
+    seen->rects.num = 0;
+    if (!csg_array_reserve(&seen->rects, seen->end - seen->begin))
+        return false;
+    for (uint32_t i = seen->end; i-- > seen->begin;)
+        seen->rects.data[i - seen->begin] = seen->nodes[i].op == CSG_LEAF
+                                                ? leaf_rect(scene, screen, &seen->nodes[i])
+                                                : node_rect(seen, screen, i);
+    combine_rects(rect, &seen->rects.data[0], true);
+    return true;
+}
+
 void csg_seen_finish(struct csg_seen *seen)
 {
     free(seen->tree.data);
     csg_tree_room_finish(&seen->room);
     free(seen->known);
+    free(seen->rects.data);
 }

@@ -2,7 +2,8 @@
 #ifndef CSG_PACK_SEEN_H
 #define CSG_PACK_SEEN_H
 
-/* What of an object's tree the picture can show: of a large object seen from near, little. */
+/* What of an object's tree the picture can show, of a large object seen from near little, and
+ * where. */
 
 #include "csg/object.h"
 #include "csg/tree.h"
@@ -15,7 +16,8 @@ struct csg_seen {
     bool is_part;                 /* some leaves are left out */
     struct csg_tree tree;
     struct csg_tree_room room;
-    uint8_t *known; /* enum csg_known, by leaf of the scene */
+    uint8_t *known;                   /* enum csg_known, by leaf of the scene */
+    CSG_ARRAY(struct csg_rect) rects; /* by node of what is seen */
 };
 
 /* Replaces what is seen by that of an object: all of it where that is small, or where much of it is
@@ -26,6 +28,11 @@ bool csg_seen_find(struct csg_seen *seen, const struct csgcast_scene *scene,
 /* All of the object. */
 void csg_seen_all(struct csg_seen *seen, const struct csgcast_scene *scene,
                   const struct csg_object *object);
+
+/* Narrows rect to what the Boolean leaves of the rectangles of the leaves that are seen, which are
+ * some. false: out of memory. */
+bool csg_seen_narrow(struct csg_seen *seen, const struct csgcast_scene *scene,
+                     const struct csg_screen *screen, struct csg_rect *rect);
 
 void csg_seen_finish(struct csg_seen *seen);
 
