@@ -18,8 +18,12 @@ static GLuint compile(struct csg_chooser *chooser, enum csg_resolver resolver,
     features |= frame_features(chooser);
     const struct csg_stages stages =
         csg_source_geometry(resolver, features, structure, chooser->max_handed);
-    return structure && chooser->request->after_edit ? csg_programs_known(programs, stages)
-                                                     : csg_programs_get(programs, stages);
+    if (!structure)
+        return csg_programs_get(programs, stages);
+    const GLuint program = chooser->request->after_edit ? csg_programs_known(programs, stages)
+                                                        : csg_programs_get(programs, stages);
+    csg_programs_note_straight(programs, program);
+    return program;
 }
 
 /* What a program is noted under that needs no structure: a chain is a resolver of its own. */

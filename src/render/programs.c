@@ -5,6 +5,10 @@
 #include <string.h>
 
 #include "common/clock.h"
+#include "csg/structure.h"
+
+/* So many programs of structures are kept: of the scenes of some viewports. */
+#define MAX_STRAIGHT (4 * (size_t)CSG_MAX_STRAIGHT_PROGRAMS)
 
 /* A compiler's message refers to lines of a text that no file has: show that text. */
 static void report(const struct csg_gl *gl, const char *what, const char *log, const char *source)
@@ -128,6 +132,12 @@ void csg_programs_note(struct csg_programs *programs, GLuint id, uint32_t name)
         csg_programs_find(programs, id)->name = name;
 }
 
+void csg_programs_note_straight(struct csg_programs *programs, GLuint id)
+{
+    if (id)
+        csg_programs_find(programs, id)->asked = programs->frame;
+}
+
 GLuint csg_programs_known(const struct csg_programs *programs, struct csg_stages stages)
 {
     const GLuint known = stages.vertex && stages.fragment ? find(programs, &stages) : 0;
@@ -154,8 +164,10 @@ GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
                                           .uniforms = id ? find_uniforms(programs->gl, id)
                                                          : (struct csg_uniforms){0},
                                           .stages = stages};
-    if (id && csg_array_push(&programs->compiled, compiled))
+    if (id && csg_array_push(&programs->compiled, compiled)) {
+        programs->num_compiled++;
         return id;
+    }
     if (id)
         csg_log_memory(&programs->gl->log);
     programs->gl->DeleteProgram(id);
@@ -163,11 +175,39 @@ GLuint csg_programs_get(struct csg_programs *programs, struct csg_stages stages)
     return 0;
 }
 
+static void delete_program(struct csg_programs *programs, struct csg_compiled *compiled)
+{
+    programs->gl->DeleteProgram(compiled->id);
+    free_stages(&compiled->stages);
+}
+
+/* The program of a structure that was not asked for longest, where they are too many; or NULL. */
+static struct csg_compiled *find_spare(const struct csg_programs *programs)
+{
+    struct csg_compiled *oldest = NULL;
+    size_t num = 0;
+    for (size_t i = 0; i < programs->compiled.num; i++) {
+        struct csg_compiled *compiled = &programs->compiled.data[i];
+        num += compiled->asked > 0;
+        if (compiled->asked > 0 && (!oldest || compiled->asked < oldest->asked))
+            oldest = compiled;
+    }
+    return num > MAX_STRAIGHT ? oldest : NULL;
+}
+
+void csg_programs_begin(struct csg_programs *programs)
+{
+    struct csg_compiled *spare;
+    programs->frame++;
+    while ((spare = find_spare(programs)) != NULL) {
+        delete_program(programs, spare);
+        *spare = programs->compiled.data[--programs->compiled.num];
+    }
+}
+
 void csg_programs_finish(struct csg_programs *programs)
 {
-    for (size_t i = 0; i < programs->compiled.num; i++) {
-        programs->gl->DeleteProgram(programs->compiled.data[i].id);
-        free_stages(&programs->compiled.data[i].stages);
-    }
+    for (size_t i = 0; i < programs->compiled.num; i++)
+        delete_program(programs, &programs->compiled.data[i]);
     free(programs->compiled.data);
 }

@@ -174,12 +174,13 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
     if (!csg_gl_enter(renderer->gl))
         return false;
     const double compiled = renderer->programs.compile_ms;
+    csg_programs_begin(&renderer->programs);
     const bool drawn = csg_picture_render(renderer, request);
     renderer->has_drawn |= drawn;
     renderer->last_scene = request->scene->keeps_structure ? request->scene : NULL;
     renderer->last_revision = request->scene->revision;
     renderer->stats.compile_ms = renderer->programs.compile_ms - compiled;
-    renderer->stats.programs = renderer->programs.compiled.num;
+    renderer->stats.programs = renderer->programs.num_compiled;
     return csg_gl_leave(renderer->gl) && drawn;
 }
 

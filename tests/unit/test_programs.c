@@ -3,7 +3,7 @@
  * When programs are compiled: of a fixed scene few with the first picture and the others with those
  * after it, of one that may be edited all with the first. A part of which there are many has its
  * program at once. Where a view moves a little, colours go on being drawn with or without a pass of
- * their own.
+ * their own. A renderer that draws ever other scenes does not keep all their programs.
  */
 #include <math.h>
 #include <string.h>
@@ -193,8 +193,58 @@ static void check_moved(double tilt, double near, double far)
     csgcast_renderer_destroy(renderer);
 }
 
+/* A small part whose structure the bits of number tell, and a cube far from it. */
+static struct csgcast_scene *parse_part(int number)
+{
+    char part[1024] = "multmatrix([[1, 0, 0, 200], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
+                      " cube(20); difference() { cube(20);";
+    for (int bit = 0; bit < 6; bit++) {
+        const size_t length = strlen(part);
+        snprintf(part + length, sizeof part - length,
+                 "multmatrix([[1, 0, 0, %d], [0, 1, 0, 0], [0, 0, 1, 19], [0, 0, 0, 1]]) %s;",
+                 4 * bit, number >> bit & 1 ? "sphere(r = 3)" : "cube(2)");
+    }
+    strcat(part, "}");
+    struct csgcast_scene *scene =
+        csgcast_scene_parse(part, strlen(part), &(struct csgcast_scene_params){.fixed = true});
+    CHECK(scene, "no part %d", number);
+    return scene;
+}
+
+/* The number of programs after two pictures, as the first takes none of a structure. */
+static size_t draw_part(struct csgcast_renderer *renderer, int number, unsigned char *rgba8)
+{
+    struct csgcast_scene *scene = parse_part(number);
+    draw(renderer, scene, rgba8);
+    const size_t programs = draw(renderer, scene, rgba8);
+    csgcast_scene_destroy(scene);
+    return programs;
+}
+
+static size_t draw_parts(struct csgcast_renderer *renderer, int begin, int end)
+{
+    size_t programs = 0;
+    for (int number = begin; number < end; number++)
+        programs = draw_part(renderer, number, later);
+    return programs;
+}
+
+static void check_many(void)
+{
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    draw_part(renderer, 0, first);
+    const size_t some = draw_parts(renderer, 1, 8);
+    CHECK(draw_part(renderer, 0, later) == some, "of eight structures one was compiled twice");
+    const size_t many = draw_parts(renderer, 8, 48);
+    CHECK(many >= some + 40, "40 structures have %zu programs", many - some);
+    CHECK(draw_part(renderer, 0, later) == many + 1, "all of 48 structures are kept");
+    CHECK(memcmp(first, later, sizeof first) == 0, "compiled once more it is another picture");
+    csgcast_renderer_destroy(renderer);
+}
+
 int main(void)
 {
+    check_many();
     check_fixed();
     check_copies();
     check_edited();
