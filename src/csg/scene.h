@@ -71,6 +71,7 @@ struct csgcast_scene {
     struct csgcast_camera camera; /* that the file asks for; kind DEFAULT: none */
     bool is_distributed;          /* objects were, see prepare/distribute.h */
     bool has_surfaces;            /* some leaf is one of triangles, see prepare/surfaces.h */
+    uint64_t number;              /* which scene of the process it is; not 0 */
     uint64_t revision;            /* grows with each edit */
     double load_ms, csg_ms;       /* spent reading it and on csg_scene_finish, for the statistics */
     struct csg_leaf *leaves;      /* in file order: the public leaf index */

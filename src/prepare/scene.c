@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "prepare/scene.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +23,9 @@
 #include "prepare/ways.h"
 #include "sharpness/sharpness.h"
 
+/* Of this process so far. */
+static atomic_ulong num_scenes;
+
 struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *name)
 {
     struct csgcast_scene *scene = calloc(1, sizeof *scene);
@@ -36,6 +40,7 @@ struct csgcast_scene *csg_scene_create(const struct csg_log *log, const char *na
     memcpy(copy, name, size);
     scene->log = *log;
     scene->name = copy;
+    scene->number = atomic_fetch_add(&num_scenes, 1) + 1;
     return scene;
 }
 

@@ -81,13 +81,13 @@ static double count_lit(const struct csg_frame *frame, const struct csg_request 
  * variants of scenes that are edited, which compile no more than they need. */
 static bool is_thin(struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    const bool is_known = renderer->thin_scene == request->scene;
+    const bool is_known = renderer->thin_scene == request->scene->number;
     const bool was_thin = is_known && renderer->thin;
     const bool forced = request->scene->keeps_structure && request->resolver >= 0;
     if (request->after_edit || (is_known && forced))
         return was_thin;
     const double margin = !is_known ? 1 : was_thin ? MARGIN : 1 / MARGIN;
-    renderer->thin_scene = request->scene;
+    renderer->thin_scene = request->scene->number;
     renderer->thin = count_lit(&renderer->frame, request) <= margin * MAX_LIT;
     return renderer->thin;
 }

@@ -177,7 +177,7 @@ static bool render_with_gl(struct csgcast_renderer *renderer, const struct csg_r
     csg_programs_begin(&renderer->programs);
     const bool drawn = csg_picture_render(renderer, request);
     renderer->has_drawn |= drawn;
-    renderer->last_scene = request->scene->keeps_structure ? request->scene : NULL;
+    renderer->last_scene = request->scene->keeps_structure ? request->scene->number : 0;
     renderer->last_revision = request->scene->revision;
     renderer->stats.compile_ms = renderer->programs.compile_ms - compiled;
     renderer->stats.programs = renderer->programs.num_compiled;
@@ -221,7 +221,8 @@ static bool is_ready(struct csgcast_renderer *renderer)
 /* last_scene is one that may be edited. Forced variants have the programs that they ask for. */
 static bool is_settled(const struct csgcast_renderer *renderer, const struct csg_request *request)
 {
-    return renderer->last_scene == request->scene && request->resolver < 0 && !request->textbook;
+    return renderer->last_scene == request->scene->number && request->resolver < 0 &&
+           !request->textbook;
 }
 
 bool csgcast_render(struct csgcast_renderer *renderer, const struct csgcast_scene *scene,

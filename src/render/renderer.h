@@ -35,11 +35,11 @@ struct csgcast_renderer {
     int tile_size;   /* from $CSGCAST_TILE_SIZE, for tests; 0: as it is best */
     GLuint vertex_array, point_array, empty_array, crowd_array;
     struct csg_buffer instance_buffer, crowd_buffer;
-    const struct csgcast_scene *thin_scene; /* what is_thin in direct.c was last asked of, */
-    bool thin;                              /* ... and what it said */
-    const struct csgcast_scene *last_scene; /* of the last frame, if it is one that is edited, */
-    uint64_t last_revision;                 /* ... as it was then */
-    bool has_drawn;                         /* some picture, with OpenGL */
+    uint64_t thin_scene;    /* the number of what is_thin in direct.c was last asked of, */
+    bool thin;              /* ... and what it said */
+    uint64_t last_scene;    /* the number of that of the last frame, if it is one that is edited, */
+    uint64_t last_revision; /* ... as it was then */
+    bool has_drawn;         /* some picture, with OpenGL */
     struct csg_frame frame;
     struct csgcast_stats stats;
 };

@@ -3,12 +3,14 @@
  * When programs are compiled: of a fixed scene few with the first picture and the others with those
  * after it, of one that may be edited all with the first. A part of which there are many has its
  * program at once. Where a view moves a little, colours go on being drawn with or without a pass of
- * their own. A renderer that draws ever other scenes does not keep all their programs.
+ * their own. A renderer that draws ever other scenes does not keep all their programs,
+ * and takes none for the one before it.
  */
 #include <math.h>
 #include <string.h>
 
 #include "check.h"
+#include "csg/scene.h"
 #include "csgcast/csgcast.h"
 
 enum { SIZE = 512, FEW = 2, ENOUGH = 40 };
@@ -242,8 +244,37 @@ static void check_many(void)
     csgcast_renderer_destroy(renderer);
 }
 
+/* The programs that there are when text is drawn after a ball, at another place in memory or, as
+ * where the ball is gone, at the same. */
+static size_t draw_after_ball(bool same_place)
+{
+    static const char ball[] = "sphere(r = 3);";
+    struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
+    struct csgcast_scene *before = csgcast_scene_parse(ball, strlen(ball), NULL);
+    struct csgcast_scene *scene = parse(false);
+    draw(renderer, before, first);
+    if (same_place) {
+        const struct csgcast_scene moved = *before;
+        *before = *scene;
+        *scene = moved;
+    }
+    const size_t programs = draw(renderer, same_place ? before : scene, first);
+    csgcast_scene_destroy(before);
+    csgcast_scene_destroy(scene);
+    csgcast_renderer_destroy(renderer);
+    return programs;
+}
+
+static void check_reloaded(void)
+{
+    const size_t same = draw_after_ball(true), other = draw_after_ball(false);
+    CHECK(same == other, "%zu programs at the place of the scene before, %zu elsewhere", same,
+          other);
+}
+
 int main(void)
 {
+    check_reloaded();
     check_many();
     check_fixed();
     check_copies();
