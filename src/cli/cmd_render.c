@@ -118,7 +118,6 @@ static bool render_image(const struct drawing *drawing, const struct csgcast_vie
 static enum csg_cli_exit render_scene(const struct drawing *drawing, const char *output)
 {
     const struct csg_cli_options *options = drawing->options;
-    const int rays = options->antialias ? options->antialias : 1;
     struct csgcast_view view = options->view, fine;
     struct csgcast_image image;
     struct csgcast_frustum frustum;
@@ -127,11 +126,11 @@ static enum csg_cli_exit render_scene(const struct drawing *drawing, const char 
     view.width = view.width ? view.width : CSG_PICTURE_SIZE;
     view.height = view.height ? view.height : CSG_PICTURE_SIZE;
     if (!csgcast_view_resolve(drawing->scene, &view, &frustum) ||
-        !csg_antialias_view(&view, rays, &fine) ||
+        !csg_antialias_view(&view, options->antialias, &fine) ||
         !csg_picture_allocate(&image, &fine, &options->write, holds_bytes(output, &options->write)))
         return CSG_EXIT_FAILED;
     if (render_image(drawing, &fine, &image)) {
-        csg_antialias_reduce(&image, view.width, view.height, rays);
+        csg_antialias_reduce(&image, view.width, view.height, options->antialias);
         result =
             write_image(output, options, &view, &image, &frustum) ? CSG_EXIT_OK : CSG_EXIT_OUTPUT;
     }

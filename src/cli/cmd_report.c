@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "messages.h"
+#include "picture.h"
 #include "process.h"
 #include "report.h"
 #include "report_meshes.h"
@@ -17,7 +18,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#define DEFAULT_SIZE 512
 #define QUICK_SIZE 256
 
 /* Measured where no scene is given. */
@@ -233,7 +233,7 @@ static void finish(struct csg_report *report)
 static enum csg_cli_exit run(const struct csg_cli_options *options)
 {
     struct csg_report report = {.options = options, .folder = options->input};
-    const int size = options->report.quick ? QUICK_SIZE : DEFAULT_SIZE;
+    const int size = options->report.quick ? QUICK_SIZE : CSG_PICTURE_SIZE;
     enum csg_cli_exit result = CSG_EXIT_FAILED;
     report.size[0] = options->view.width ? options->view.width : size;
     report.size[1] = options->view.height ? options->view.height : size;

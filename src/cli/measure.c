@@ -55,7 +55,6 @@ struct run {
     struct csgcast_scene *scene;
     struct csgcast_renderer *renderer;
     struct csgcast_view view; /* of all rays */
-    int rays;                 /* a pixel along each axis */
     struct csgcast_image image;
     struct csg_edited edited;
     struct csg_frame_times *times; /* num_frames */
@@ -71,7 +70,8 @@ static bool draw(struct run *run)
 {
     const bool good = csgcast_render(run->renderer, run->scene, &run->view, &run->image);
     if (good)
-        csg_antialias_reduce(&run->image, run->result->width, run->result->height, run->rays);
+        csg_antialias_reduce(&run->image, run->result->width, run->result->height,
+                             run->options->antialias);
     csgcast_renderer_get_stats(run->renderer, &run->result->stats);
     run->result->compile_ms += run->result->stats.compile_ms;
     return good;
@@ -175,8 +175,8 @@ static bool allocate(struct run *run)
 static bool measure(struct run *run)
 {
     const struct csgcast_view view = run->view;
-    if (!csg_antialias_view(&view, run->rays, &run->view) || !allocate(run) || !draw_first(run) ||
-        !draw_frames(run))
+    if (!csg_antialias_view(&view, run->options->antialias, &run->view) || !allocate(run) ||
+        !draw_first(run) || !draw_frames(run))
         return false;
     run->result->num_leaves = csgcast_scene_num_leaves(run->scene);
     snprintf(run->result->renderer, sizeof run->result->renderer, "%s",
@@ -187,11 +187,7 @@ static bool measure(struct run *run)
 bool csg_measure(const struct csg_cli_options *options, const char *input,
                  struct csg_measurement *result)
 {
-    struct run run = {.options = options,
-                      .input = input,
-                      .view = options->view,
-                      .rays = options->antialias ? options->antialias : 1,
-                      .result = result};
+    struct run run = {.options = options, .input = input, .view = options->view, .result = result};
     run.view.width = run.view.width ? run.view.width : CSG_PICTURE_SIZE;
     run.view.height = run.view.height ? run.view.height : CSG_PICTURE_SIZE;
     *result = (struct csg_measurement){

@@ -209,6 +209,7 @@ bool csg_options_parse(struct csg_cli_options *options, const struct csg_cli_com
     *options = (struct csg_cli_options){.facets = "auto",
                                         .compare = csg_compare_defaults,
                                         .report = {.limit = CSG_REPORT_LIMIT},
+                                        .antialias = 1,
                                         .num_frames = 20,
                                         .edited_leaf = -1};
     /* One more than can be needed, so that the size is never 0. */

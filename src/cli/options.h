@@ -59,7 +59,7 @@ struct csg_cli_options {
     const char **defines; /* what scene.defines points to; freed likewise */
     const char **fonts;   /* likewise */
     bool quiet, stats, json, no_gl;
-    int antialias;               /* render, bench: rays a pixel along each axis; 0 and 1: one */
+    int antialias;               /* render, bench: rays a pixel along each axis */
     int num_animated;            /* render: frames of an animation; 0: one picture */
     int num_frames;              /* bench: after the first image */
     bool orbit, edit;            /* bench: what changes from frame to frame */

@@ -79,18 +79,13 @@ struct csg_vec3 csg_stl_point(const char *bytes)
     return csg_vec3((double)p[0], (double)p[1], (double)p[2]);
 }
 
-static bool is_finite_point(struct csg_vec3 p)
-{
-    return isfinite(p.x) && isfinite(p.y) && isfinite(p.z);
-}
-
 static bool add_triangle(struct csg_mesh *mesh, const struct csg_vec3 corners[3], bool *is_left_out)
 {
     const uint32_t first = (uint32_t)mesh->points.num;
     bool ok = true;
     *is_left_out = false;
     for (int i = 0; i < 3; i++)
-        *is_left_out |= !is_finite_point(corners[i]);
+        *is_left_out |= !csg_vec3_is_finite(corners[i]);
     if (*is_left_out)
         return true;
     for (uint32_t i = 0; i < 3 && ok; i++)
@@ -168,7 +163,7 @@ static enum csg_mesh_file read_text(const struct csg_bytes *bytes, struct csg_me
             *line = words.line;
             return CSG_MESH_FILE_MALFORMED;
         }
-        if (!is_finite_point(*p) && *line == 0)
+        if (!csg_vec3_is_finite(*p) && *line == 0)
             *line = words.line;
         if (++in_loop < 3)
             continue;

@@ -61,17 +61,12 @@ static double find_limit(const struct csg_terms *terms, const struct csg_object 
                                    : MAX_TESTS_ROW);
 }
 
-static double area_of(const struct csg_rect *rect)
-{
-    return (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
-}
-
 /* What cells would spare this object in this frame, in tests, as samples of its tiles say; 0:
  * nothing. false: out of memory. */
 static bool find_spared(const struct csg_terms *terms, const struct csg_rect *rect,
                         const struct csg_draw *draw, double limit, double *spared)
 {
-    const double area = area_of(rect);
+    const double area = csg_rect_area(rect);
     double tests;
     if (csg_cells_recall(terms->scene, draw->object, area, spared))
         return true;
@@ -124,8 +119,9 @@ static bool choose(const struct csg_terms *terms, const struct csg_object *objec
     if (spared > 0)
         *cells = ask_for_cells(terms, draw, spared);
     else if (!terms->seen.is_part && csg_cells_can_hold(terms->scene, object))
-        *max_tests = (size_t)(limit * area_of(rect) + (draw->nested ? NESTED_COST : 1) *
-                                                          csg_cells_cost(terms->scene, object));
+        *max_tests =
+            (size_t)(limit * csg_rect_area(rect) +
+                     (draw->nested ? NESTED_COST : 1) * csg_cells_cost(terms->scene, object));
     return true;
 }
 
@@ -148,7 +144,7 @@ bool csg_cells_choose(const struct csg_terms *terms, const struct csg_object *ob
 void csg_cells_learn(const struct csg_terms *terms, const struct csg_rect *rect,
                      const struct csg_draw *draw, size_t tests)
 {
-    const double area = area_of(rect);
+    const double area = csg_rect_area(rect);
     if (!draw->may_walk)
         return;
     const double limit = find_limit(terms, &terms->scene->objects->data[draw->object], draw);

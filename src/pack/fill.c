@@ -36,9 +36,8 @@ static bool has_pixel(const struct csg_rect *rect)
 static bool draws_whole(const struct csg_frame_params *params, uint32_t index,
                         const struct csg_rect *rect)
 {
-    const double area = (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
     return index != CSG_WHOLE_LAYER &&
-           (params->textbook || params->whole(index, area, params->user));
+           (params->textbook || params->whole(index, csg_rect_area(rect), params->user));
 }
 
 /* Where the object is, and what of it is seen; an empty one: nothing. false: out of memory. */

@@ -85,6 +85,12 @@ static inline bool csg_rect_is_empty(const struct csg_rect *rect)
     return !(rect->lo[0] < rect->hi[0] && rect->lo[1] < rect->hi[1]);
 }
 
+/* In pixels; of one that is not empty. */
+static inline double csg_rect_area(const struct csg_rect *rect)
+{
+    return (rect->hi[0] - rect->lo[0]) * (rect->hi[1] - rect->lo[1]);
+}
+
 /* The part of the screen that a mapped box can cover; all of it when the box crosses the eye
  * plane. */
 struct csg_rect csg_screen_rect(const struct csg_screen *screen, const struct csg_map *frame,

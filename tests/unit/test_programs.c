@@ -3,8 +3,8 @@
  * When programs are compiled: of a fixed scene few with the first picture and the others with those
  * after it, of one that may be edited all with the first. A part of which there are many has its
  * program at once. Where a view moves a little, colours go on being drawn with or without a pass of
- * their own. A renderer that draws ever other scenes does not keep all their programs,
- * and takes none for the one before it.
+ * their own. A renderer that draws ever other scenes does not keep all their programs, and takes none
+ * for the one before it.
  */
 #include <math.h>
 #include <string.h>
@@ -42,12 +42,17 @@ static size_t draw(struct csgcast_renderer *renderer, const struct csgcast_scene
     return draw_view(renderer, scene, (struct csgcast_view){.width = SIZE}, rgba8);
 }
 
-static struct csgcast_scene *parse(bool fixed)
+static struct csgcast_scene *parse_text(const char *csg, bool fixed)
 {
     struct csgcast_scene *scene =
-        csgcast_scene_parse(text, strlen(text), &(struct csgcast_scene_params){.fixed = fixed});
-    CHECK(scene, "no scene");
+        csgcast_scene_parse(csg, strlen(csg), &(struct csgcast_scene_params){.fixed = fixed});
+    CHECK(scene, "no scene: %s", csg);
     return scene;
+}
+
+static struct csgcast_scene *parse(bool fixed)
+{
+    return parse_text(text, fixed);
 }
 
 /* Pictures until one compiles nothing; the number of programs then. */
@@ -92,9 +97,7 @@ static void check_copies(void)
                  12 * (i % 10), 12 * (i / 10));
     }
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
-    struct csgcast_scene *scene =
-        csgcast_scene_parse(parts, strlen(parts), &(struct csgcast_scene_params){.fixed = true});
-    CHECK(scene, "no copies");
+    struct csgcast_scene *scene = parse_text(parts, true);
     const size_t few = draw(renderer, scene, first);
     CHECK(few == 1, "the first picture of copies compiled %zu programs", few);
     CHECK(settle(renderer, scene, few) == few, "later pictures of copies compiled some");
@@ -128,9 +131,7 @@ static struct csgcast_scene *parse_bites(void)
     }
     const size_t length = strlen(bites);
     snprintf(bites + length, sizeof bites - length, "}");
-    struct csgcast_scene *scene = csgcast_scene_parse(bites, strlen(bites), NULL);
-    CHECK(scene, "no bites");
-    return scene;
+    return parse_text(bites, false);
 }
 
 /* Views of a scene that may be edited ask for other chains, and get those that there are. */
@@ -163,10 +164,7 @@ static struct csgcast_scene *parse_slabs(void)
                  " difference() { cube([20, 20, 1]); cube([5, 5, 1]); }",
                  3 * i);
     }
-    struct csgcast_scene *scene =
-        csgcast_scene_parse(slabs, strlen(slabs), &(struct csgcast_scene_params){.fixed = true});
-    CHECK(scene, "no slabs");
-    return scene;
+    return parse_text(slabs, true);
 }
 
 /* tilt: degrees, 0 from above, where the slabs cover each other. */
@@ -207,10 +205,7 @@ static struct csgcast_scene *parse_part(int number)
                  4 * bit, number >> bit & 1 ? "sphere(r = 3)" : "cube(2)");
     }
     strcat(part, "}");
-    struct csgcast_scene *scene =
-        csgcast_scene_parse(part, strlen(part), &(struct csgcast_scene_params){.fixed = true});
-    CHECK(scene, "no part %d", number);
-    return scene;
+    return parse_text(part, true);
 }
 
 /* The number of programs after two pictures, as the first takes none of a structure. */
@@ -248,10 +243,8 @@ static void check_many(void)
  * where the ball is gone, at the same. */
 static size_t draw_after_ball(bool same_place)
 {
-    static const char ball[] = "sphere(r = 3);";
     struct csgcast_renderer *renderer = csgcast_renderer_create(NULL);
-    struct csgcast_scene *before = csgcast_scene_parse(ball, strlen(ball), NULL);
-    struct csgcast_scene *scene = parse(false);
+    struct csgcast_scene *before = parse_text("sphere(r = 3);", false), *scene = parse(false);
     draw(renderer, before, first);
     if (same_place) {
         const struct csgcast_scene moved = *before;
